@@ -1,0 +1,65 @@
+/// A run of a case from its start, or from a checkpoint, to its end.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "scree/app/measures.hpp"
+#include "scree/app/phase_clock.hpp"
+#include "scree/output/field_writer.hpp"
+#include "scree/output/probes.hpp"
+#include "scree/output/progress.hpp"
+#include "scree/output/stop_request.hpp"
+#include "scree/output/summary.hpp"
+#include "scree/solver/time_stepper.hpp"
+
+namespace scree {
+
+class Simulation {
+ public:
+  /// Collective. Sets everything up and writes the initial output. Throws InputError or std::runtime_error of one line,
+  /// on all ranks, before anything of an earlier run is touched.
+  Simulation(MPI_Comm comm, const Case& scene);
+
+  /// Collective. Runs to end_time, to a signal or to the end of the wall-clock budget; leaves a checkpoint and
+  /// summary.json in any of these. Throws std::runtime_error if no step works any more, after a last checkpoint.
+  void run();
+
+ private:
+  /// Sums over the steps of a run, restarts included.
+  struct Totals {
+    double steps = 0, newton = 0, krylov = 0, rejected_error = 0, rejected_solver = 0, limited = 0;
+    double imbalance = 0;       ///< of solids volume [m^dim]
+    double initial_volume = 0;  ///< [m^dim]
+    double dt_max = 0;          ///< [s]
+  };
+
+  static ProblemSetup problem_setup(const Case& scene);
+  static StepControl step_control(const Case& scene);
+  void start_new();
+  void restart();
+  void open_outputs(std::optional<double> restart_time);
+  double next_event() const;
+  void account(const StepReport& report);
+  void append_monitor(const StepReport& report);
+  void write_fields();
+  void write_checkpoint();
+  void write_summary(const std::string& end);
+  std::vector<Column> monitor_columns() const;
+
+  MPI_Comm comm_;
+  Case scene_;
+  DiscreteProblem problem_;
+  PhaseClock clock_;
+  std::unique_ptr<TimeStepper> stepper_;
+  std::unique_ptr<Measures> measures_;
+  std::unique_ptr<ProbeSet> probes_;
+  std::unique_ptr<LineSampler> lines_;
+  std::unique_ptr<MonitorFile> monitor_;
+  std::unique_ptr<FieldWriter> fields_;
+  std::unique_ptr<StopRequest> stop_;
+  Totals totals_;
+  double next_fields_ = 0, next_checkpoint_ = 0;
+};
+
+}  // namespace scree

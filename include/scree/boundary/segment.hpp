@@ -1,0 +1,64 @@
+/// What closes the box: named segments of its sides and named internal plates.
+///
+/// kind                  normal velocity        tangential velocity         nu, T, chi
+/// wall_johnson_jackson  that of the wall       Coulomb + collisions (25)   no flux; q from (26)
+/// wall_free_slip        that of the wall       no shear                    no flux
+/// wall_no_slip          that of the wall       that of the wall            no flux
+/// symmetry              zero                   no shear                    no flux
+/// open                  zero normal gradient   no shear                    outflow carried out, inflow brings nu = 0
+/// inlet                 prescribed             that of the inlet           prescribed values carried in
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "scree/closures/wall.hpp"
+#include "scree/grid/box.hpp"
+
+namespace scree {
+
+enum class BoundaryKind { wall_johnson_jackson, wall_free_slip, wall_no_slip, symmetry, open, inlet };
+
+/// A rectangle in the plane of a side or plate; an interval in two dimensions. The entries of the normal axis are unused.
+struct Patch {
+  std::array<double, max_dim> lower;
+  std::array<double, max_dim> upper;
+  Patch() {
+    lower.fill(-std::numeric_limits<double>::infinity());
+    upper.fill(std::numeric_limits<double>::infinity());
+  }
+};
+
+/// What happens at a face of a side or plate.
+struct Condition {
+  std::string name;
+  BoundaryKind kind = BoundaryKind::wall_johnson_jackson;
+  std::array<double, max_dim> velocity{0, 0, 0};  ///< of the wall, or of the particles that an inlet brings [m/s]
+  double solids_fraction = 0;                     ///< inlet only [-]
+  double granular_temperature = 0;                ///< inlet only [m2/s2]
+  double chi = 1;                                 ///< inlet only [-]
+  WallParameters wall;                            ///< wall_johnson_jackson only
+  double from = -std::numeric_limits<double>::infinity();  ///< start of the time window [s]
+  double until = std::numeric_limits<double>::infinity();  ///< end of the time window [s]
+};
+
+/// A part of one side of the box. Where segments overlap, the later one in the list holds.
+struct Segment {
+  Condition condition;
+  int axis = 0;        ///< axis normal to the side
+  bool upper = false;  ///< false: lower side, true: upper side
+  Patch patch;
+};
+
+/// A zero-thickness wall on a grid plane inside the box, with openings; both of its sides follow the condition.
+struct Plate {
+  Condition condition;  ///< one of the wall kinds
+  int axis = 1;         ///< axis normal to the plate
+  double position = 0;  ///< coordinate along that axis, on a grid plane [m]
+  Patch span;           ///< where the plate is; default: everywhere
+  std::vector<Patch> openings;
+};
+
+}  // namespace scree

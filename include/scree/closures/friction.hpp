@@ -1,0 +1,154 @@
+/// Frictional stress, eqs. (10)-(24).
+#pragma once
+
+#include <limits>
+
+#include "scree/math/dual.hpp"
+
+namespace scree {
+
+/// The four frictional models of the paper, see model.md section 4.
+enum class FrictionModel { none, critical_state, instantaneous, relaxed };
+
+/// Parameters of the frictional closures (SI units).
+struct FrictionParameters {
+  FrictionModel model = FrictionModel::relaxed;
+  double phi = 0.49741883681838395;     ///< angle of internal friction [rad], 28.5 deg
+  double n_dilation = 1.8149628088422;  ///< exponent n where div v >= 0: sqrt(3)/(2 sin phi) [-]
+  double n_compaction = 1.03;           ///< exponent n where div v < 0 [-]
+  double F = 0.05;                      ///< constant of (18) [Pa]
+  double r = 2.0;                       ///< exponent of (18) [-]
+  double s = 5.0;                       ///< exponent of (18) [-]
+  double nu_min = 0.5;                  ///< threshold of (18) [-]
+  double nu_max = 0.65;                 ///< maximum packing [-]
+  double tau = 1e-3;                    ///< relaxation time of chi, (23) [s]
+  bool strain_rate_fluctuation = true;  ///< true: S:S + T/d^2, (20); false: S:S, (15)-(17)
+  double d = 1e-3;                      ///< particle diameter [m]
+  double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + T/d^2 + floor^2) [1/s]
+};
+
+// Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
+inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < .024 there
+inline constexpr double compaction_clip_width = 0.1;  ///< of the same base at n/(n-1), relative
+inline constexpr double yield_clip_width = 1e-2;      ///< of the braces of (14) at 0
+
+/// base^exponent for base >= width, 0 for base <= 0, and between them the cubic that meets both with their slopes:
+/// a power below one has an infinite slope at 0. 0 < exponent < 3.
+template <class Number>
+Number clipped_power(const Number& base, double exponent, double width) {
+  if (base <= 0.0) return Number(0.0);
+  if (base >= width) return exponent == 1 ? base : pow(base, exponent);
+  const Number t = base / width;
+  return std::pow(width, exponent) * (t * t * ((3 - exponent) + (exponent - 2) * t));
+}
+
+/// min(x, limit), rounded by a parabola over limit +- width.
+template <class Number>
+Number rounded_minimum(const Number& x, double limit, double width) {
+  if (x <= limit - width) return x;
+  if (x >= limit + width) return Number(limit);
+  const Number t = x - (limit - width);
+  return x - t * t / (4 * width);
+}
+
+/// x^exponent for x > 0, by multiplications where the exponent is a small integer.
+template <class Number>
+Number real_power(const Number& x, double exponent) {
+  const int whole = static_cast<int>(exponent);
+  return exponent >= 0 && exponent == whole && whole <= 16 ? integer_power(x, whole) : Number(pow(x, exponent));
+}
+
+/// Critical-state pressure p_c, eq. (18) [Pa]; 0 up to nu_min, where it starts with zero slope (r > 1).
+/// Infinite from nu_max on: such a trial state is for the solver to refuse, it is not capped here.
+template <class Number>
+Number critical_pressure(const Number& nu, const FrictionParameters& p) {
+  if (nu <= p.nu_min) return Number(0.0);
+  if (nu >= p.nu_max) return Number(std::numeric_limits<double>::infinity());
+  return through([&](const auto& x) { return p.F * real_power(x - p.nu_min, p.r) / real_power(p.nu_max - x, p.s); },
+                 nu);
+}
+
+/// Exponent n of (14): the one of dilation or of compaction by the sign of div v. The switch is hard, here and nowhere
+/// else: (21) is continuous across it (its slope jumps), (14) at given chi too where chi = 1.
+template <class Number>
+double yield_exponent(const Number& div_v, const FrictionParameters& p) {
+  return div_v >= 0.0 ? p.n_dilation : p.n_compaction;
+}
+
+/// Tip of the yield surface in compaction, (n/(n-1))^(n-1), where A of (14) vanishes: chi stays below [-].
+inline double maximum_chi(const FrictionParameters& p) {
+  const double n = p.n_compaction;
+  return std::pow(n / (n - 1), n - 1);
+}
+
+/// sqrt(2) sin(phi) [-]: ratio of the norm of the frictional deviator to p_f at the critical state.
+inline double friction_coefficient(const FrictionParameters& p) { return std::sqrt(2.0) * std::sin(p.phi); }
+
+/// Strain rate of (20) and (21): sqrt(S:S + T/d^2 + floor^2), or without T/d^2 for the unmodified forms (15)-(17)
+/// [1/s].
+template <class Number>
+Number fluctuating_strain_rate(const Number& S_S, const Number& T, const FrictionParameters& p) {
+  const double floor = p.strain_rate_floor * p.strain_rate_floor;
+  return p.strain_rate_fluctuation ? Number(sqrt(S_S + T / (p.d * p.d) + floor)) : Number(sqrt(S_S + floor));
+}
+
+/// 1 - div v/(n sqrt(2) sin(phi) gamma) of (21), bounded above by n/(n-1), the tip of the yield surface [-].
+/// It equals chi*^(1/(n-1)). Negative where the dilation is faster than the flow rule allows.
+template <class Number>
+Number chi_star_base(const Number& div_v, const Number& gamma, const FrictionParameters& p) {
+  const double n = yield_exponent(div_v, p);
+  const Number base = 1.0 - div_v / (n * friction_coefficient(p) * gamma);
+  const double tip = n / (n - 1);
+  return rounded_minimum(base, tip, compaction_clip_width * tip);
+}
+
+/// Scaled frictional pressure in steady state, chi*, eq. (21)/(24) [-], gamma from fluctuating_strain_rate.
+/// Exponent n-1 follows from (13) on (14); the scan prints 1/(n-1), see model.md.
+/// Dilation clips at 0, compaction stays below (n/(n-1))^(n-1); both clips are rounded, see the widths above.
+template <class Number>
+Number chi_star(const Number& div_v, const Number& gamma, const FrictionParameters& p) {
+  return clipped_power(chi_star_base(div_v, gamma, p), yield_exponent(div_v, p) - 1, dilation_clip_width);
+}
+
+/// -A/p_f of (14): sqrt(2) sin(phi) {n - (n-1) chi^(1/(n-1))} with chi^(1/(n-1)) given as `base` [-].
+/// 0 from the tip of the yield surface on, rounded.
+template <class Number>
+Number yield_factor_of_base(const Number& base, double n, const FrictionParameters& p) {
+  return friction_coefficient(p) * clipped_power(Number(n - (n - 1) * base), 1, yield_clip_width);
+}
+
+/// The same from chi. Beyond the tip of the yield surface it is 0 without a power: chi^33 overflows.
+template <class Number>
+Number yield_factor(const Number& chi, const Number& div_v, const FrictionParameters& p) {
+  const double n = yield_exponent(div_v, p);
+  if (chi <= 0.0) return Number(friction_coefficient(p) * n);
+  if (chi >= 2.0 * n) return Number(0.0);  // (n/(n-1))^(n-1) < 2 n for every n > 1
+  return yield_factor_of_base(Number(pow(chi, 1 / (n - 1))), n, p);
+}
+
+/// sigma_f = pressure I - 2 viscosity S.
+template <class Number>
+struct FrictionalStress {
+  Number pressure;   ///< p_f [Pa]
+  Number viscosity;  ///< -A/(2 gamma) [Pa s]
+};
+
+/// Frictional stress, (20) with the chi of the model: `relaxed` takes `chi` as given, `critical_state` chi = 1 (22),
+/// `instantaneous` chi = chi* (21), `none` is zero. p_c from critical_pressure, gamma from fluctuating_strain_rate.
+template <class Number>
+FrictionalStress<Number> frictional_stress(const Number& p_c, const Number& chi, const Number& div_v,
+                                           const Number& gamma, const FrictionParameters& p) {
+  if (p.model == FrictionModel::none || p_c == 0.0) return {Number(0.0), Number(0.0)};
+  if (p.model == FrictionModel::critical_state) return {p_c, friction_coefficient(p) * p_c / (2.0 * gamma)};
+  if (p.model == FrictionModel::relaxed) {
+    const Number p_f = chi * p_c;
+    return {p_f, p_f * yield_factor(chi, div_v, p) / (2.0 * gamma)};
+  }
+  // chi and chi^(1/(n-1)) come from one base: no power of 33 to undo the one of .03.
+  const double n = yield_exponent(div_v, p);
+  const Number base = chi_star_base(div_v, gamma, p);
+  const Number p_f = clipped_power(base, n - 1, dilation_clip_width) * p_c;
+  return {p_f, p_f * yield_factor_of_base(base, n, p) / (2.0 * gamma)};
+}
+
+}  // namespace scree

@@ -1,0 +1,166 @@
+/// Kinetic theory of granular materials: pressure, viscosities, conductivity and dissipation,
+/// eqs. (1.1)-(1.7) of Srivastava & Sundaresan (2003), Table 1, without gas (gas_damping.hpp adds it).
+#pragma once
+
+#include <limits>
+
+#include "scree/math/dual.hpp"
+
+namespace scree {
+
+/// Where the granular temperature comes from: balance (9), production = dissipation, or a given constant.
+enum class TemperatureModel { transport, algebraic, constant };
+
+/// Parameters of the kinetic closures (SI units).
+struct KineticParameters {
+  double rho_s = 2900.0;  ///< solids density [kg/m3]
+  double d = 1e-3;        ///< particle diameter [m]
+  double e_p = 0.91;      ///< particle-particle restitution [-]
+  double nu_max = 0.65;   ///< maximum solids packing [-]
+  double alpha = 1.6;     ///< constant of (1.1) [-]
+};
+
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double sqrt_pi = 1.77245385090551602730;
+
+/// eta = (1 + e_p)/2 [-].
+inline double eta(const KineticParameters& p) { return (1 + p.e_p) / 2; }
+
+/// sqrt(T + floor) [m/s]: the square root that all closures use, with a finite derivative at T = 0. `floor` in m2/s2.
+template <class Number>
+Number sqrt_temperature(const Number& T, double floor) {
+  return sqrt(T + floor);
+}
+
+/// Radial distribution at contact g0, eq. (1.7) [-]; infinite from nu_max on: such a trial state is for the solver to
+/// refuse.
+/// Written with 1 - r = (1 - r^3)/(1 + r + r^2), which does not cancel near nu_max. The cube root of (1.7) has an
+/// infinite slope at nu = 0, here limited by a width of 1e-5, the one of the void regularisation of the balances
+/// (relative change of g0: 5e-11 at nu = .5, 1e-9 at .1, 4e-8 at .01).
+template <class Number>
+Number radial_distribution(const Number& nu, const KineticParameters& p) {
+  constexpr double width = 1e-5;
+  if (nu >= p.nu_max) return Number(std::numeric_limits<double>::infinity());
+  const Number y = nu / p.nu_max;
+  const Number r = y / cbrt(y * y + width * width);
+  return p.nu_max * (1.0 + r + r * r) / (p.nu_max - nu);
+}
+
+// The dependence of the closures on nu, dimensionless; g0 is passed because all share it.
+
+/// p_k = factor rho_s T.
+template <class Number>
+Number pressure_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  return nu * (1.0 + 4 * eta(p) * (nu * g0));
+}
+
+/// eta mu_b = factor rho_s d sqrt(T).
+template <class Number>
+Number bulk_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  return (eta(p) * 256 / (5 * pi) * 5 * sqrt_pi / 96) * (nu * nu * g0);
+}
+
+/// The part of mu_s that mu* of (1.5) multiplies: factor rho_s d sqrt(T) = (2+alpha)/3 mu/(g0 eta (2-eta)) (...)(...).
+/// Division by g0 carried out, as everywhere: nothing here is large minus large, and nu = 0 is no special case.
+template <class Number>
+Number streaming_shear_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  const double e = eta(p), a = 8.0 / 5 * e, b = 8.0 / 5 * e * (3 * e - 2);
+  const double scale = (2 + p.alpha) / 3 * 5 * sqrt_pi / 96 / (e * (2 - e));
+  return scale * (1.0 / g0 + nu * (a + b) + (a * b) * (nu * nu * g0));
+}
+
+/// mu_s = factor rho_s d sqrt(T).
+template <class Number>
+Number shear_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  return streaming_shear_factor(nu, g0, p) + (2 + p.alpha) / 5 * bulk_factor(nu, g0, p);
+}
+
+/// kappa = factor rho_s d sqrt(T).
+template <class Number>
+Number conductivity_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  const double e = eta(p), a = 12.0 / 5 * e, b = 12.0 / 5 * e * e * (4 * e - 3), c = 41 - 33 * e;
+  const double scale = 75 * sqrt_pi / (48 * e * c);
+  return scale * (1.0 / g0 + nu * (a + b) + (a * b + 64 / (25 * pi) * c * e * e) * (nu * nu * g0));
+}
+
+/// J_coll = factor rho_s T^(3/2)/d.
+template <class Number>
+Number dissipation_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  return (48 / sqrt_pi * eta(p) * (1 - eta(p))) * (nu * nu * g0);
+}
+
+/// Kinetic pressure rho_s nu (1 + 4 eta nu g0) T of (1.1), without its bulk term [Pa].
+template <class Number>
+Number kinetic_pressure(const Number& nu, const Number& T, const KineticParameters& p) {
+  return p.rho_s * pressure_factor(nu, radial_distribution(nu, p), p) * T;
+}
+
+/// eta mu_b of (1.1) [Pa s]: the kinetic pressure is lowered by eta mu_b div v.
+template <class Number>
+Number bulk_viscosity(const Number& nu, const Number& sqrt_T, const KineticParameters& p) {
+  return p.rho_s * p.d * bulk_factor(nu, radial_distribution(nu, p), p) * sqrt_T;
+}
+
+/// mu_s such that the deviator of (1.1) is -2 mu_s S [Pa s].
+template <class Number>
+Number shear_viscosity(const Number& nu, const Number& sqrt_T, const KineticParameters& p) {
+  return p.rho_s * p.d * shear_factor(nu, radial_distribution(nu, p), p) * sqrt_T;
+}
+
+/// kappa such that (1.3) is q = -kappa grad T [kg/(m s)].
+template <class Number>
+Number conductivity(const Number& nu, const Number& sqrt_T, const KineticParameters& p) {
+  return p.rho_s * p.d * conductivity_factor(nu, radial_distribution(nu, p), p) * sqrt_T;
+}
+
+/// J_coll, eq. (1.4) [W/m3]. T^(3/2) = T sqrt_T: vanishes at T = 0 whatever the floor in sqrt_T, changes sign with T.
+template <class Number>
+Number dissipation(const Number& nu, const Number& T, const Number& sqrt_T, const KineticParameters& p) {
+  return p.rho_s / p.d * dissipation_factor(nu, radial_distribution(nu, p), p) * T * sqrt_T;
+}
+
+/// The factors above at once.
+enum KineticFactor { factor_pressure, factor_bulk, factor_shear, factor_dissipation };
+
+/// {pressure, bulk, shear, dissipation} factors, indexed by KineticFactor; one evaluation of g0, differentiated with
+/// respect to nu alone.
+template <class Number>
+std::array<Number, 4> kinetic_factors(const Number& nu, const KineticParameters& p) {
+  return through(
+      [&](const auto& x) {
+        const auto g0 = radial_distribution(x, p);
+        return std::array<std::decay_t<decltype(g0)>, 4>{pressure_factor(x, g0, p), bulk_factor(x, g0, p),
+                                                         shear_factor(x, g0, p), dissipation_factor(x, g0, p)};
+      },
+      nu);
+}
+
+/// sqrt(T) of local equilibrium -sigma_k : grad v = J_coll, eqs. (1.1) and (1.4) without gas [m/s].
+/// With sigma = sqrt(T)/d and the factors f of kinetic_factors this is the positive root of
+///     fJ sigma^2 + fp div_v sigma - (2 fmu S_S + fb div_v^2 + fJ floor/d^2) = 0,
+/// where `floor` [m2/s2] makes T = floor at rest, which keeps the derivatives finite there (T >= floor in shear at
+/// constant volume; dilation may take it below).
+/// In the dilute limit T grows as 1/nu^2: fJ is held below nu of about 1e-3, where the free path is hundreds of
+/// diameters and local equilibrium means nothing (relative change of T 5e-9 at nu = .1, less above).
+template <class Number>
+Number algebraic_sqrt_temperature(const std::array<Number, 4>& factors, const Number& div_v, const Number& S_S,
+                                  const KineticParameters& p, double floor) {
+  constexpr double dilute = 1e-3;
+  const double J_dilute = 48 / sqrt_pi * eta(p) * (1 - eta(p)) * dilute * dilute;
+  const Number fJ = sqrt(factors[factor_dissipation] * factors[factor_dissipation] + J_dilute * J_dilute);
+  const Number b = factors[factor_pressure] * div_v;
+  const Number c =
+      2.0 * factors[factor_shear] * S_S + factors[factor_bulk] * (div_v * div_v) + fJ * (floor / (p.d * p.d));
+  const Number root = sqrt(b * b + 4.0 * fJ * c);
+  // Two forms of one root; the sign of b says which of them does not cancel.
+  return p.d * (b >= 0.0 ? 2.0 * c / (b + root) : (root - b) / (2.0 * fJ));
+}
+
+/// The same from nu.
+template <class Number>
+Number algebraic_sqrt_temperature(const Number& nu, const Number& div_v, const Number& S_S, const KineticParameters& p,
+                                  double floor) {
+  return algebraic_sqrt_temperature(kinetic_factors(nu, p), div_v, S_S, p, floor);
+}
+
+}  // namespace scree

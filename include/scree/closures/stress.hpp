@@ -1,0 +1,97 @@
+/// Solids stress sigma_s = sigma_k + sigma_f, eq. (8), and the source terms of T and chi at a point: what kernels need,
+/// with shared subexpressions evaluated once.
+#pragma once
+
+#include "scree/closures/friction.hpp"
+#include "scree/closures/kinetic.hpp"
+
+namespace scree {
+
+/// Parameters of the solids closures (SI units).
+struct SolidsParameters {
+  KineticParameters kinetic;
+  FrictionParameters friction;
+  TemperatureModel temperature = TemperatureModel::transport;
+  double temperature_value = 1e-4;   ///< T where the model is `constant` [m2/s2]
+  double temperature_floor = 1e-14;  ///< added to T under square roots [m2/s2]
+};
+
+/// What the closures depend on at a point.
+template <class Number>
+struct SolidsPoint {
+  Number nu;     ///< solids fraction [-]
+  Number T;      ///< granular temperature, used if it is transported [m2/s2]
+  Number chi;    ///< scaled frictional pressure, used if it is relaxed [-]
+  Number div_v;  ///< [1/s]
+  Number S_S;    ///< S:S of the three-dimensional deviator [1/s2]
+};
+
+/// Names of the entries of cell_closure's result.
+struct CellClosure {
+  enum Entry : std::size_t {
+    pressure,              ///< p of sigma_s = p I - 2 mu S, with the bulk term -eta mu_b div v [Pa]
+    viscosity,             ///< mu of the same, kinetic + frictional [Pa s]
+    energy_source,         ///< -sigma_k : grad v - J_coll of (9); 0 up to floors where T is algebraic [W/m3]
+    chi_star,              ///< (21); 1 or 0 for models critical_state and none [-]
+    frictional_pressure,   ///< p_f [Pa]
+    frictional_viscosity,  ///< sigma_f = p_f I - 2 mu_f S [Pa s]
+    temperature,           ///< T of the temperature model [m2/s2]
+    sqrt_temperature,      ///< regularised sqrt(T) [m/s]
+    count
+  };
+};
+
+/// Everything a cell needs, indexed by CellClosure. `T` and `chi` are ignored (any constant) where the models do not
+/// take them from the balances. Instantiated for double and Dual<3>, Dual<4>, Dual<5>; meant for `through`:
+///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S)
+template <class Number>
+std::array<Number, CellClosure::count> cell_closure(const Number& nu, const Number& T, const Number& chi,
+                                                    const Number& div_v, const Number& S_S, const SolidsParameters& p);
+
+/// The viscosity of cell_closure alone, for shear stresses on edges [Pa s].
+template <class Number>
+Number edge_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
+                    const SolidsParameters& p);
+
+template <class Number>
+std::array<Number, CellClosure::count> cell_closure(const SolidsPoint<Number>& q, const SolidsParameters& p) {
+  return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, p);
+}
+
+/// {T, regularised sqrt(T)} by the temperature model, `factors` from kinetic_factors.
+template <class Number>
+std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array<Number, 4>& factors,
+                                  const SolidsParameters& p) {
+  if (p.temperature == TemperatureModel::transport) return {q.T, sqrt_temperature(q.T, p.temperature_floor)};
+  if (p.temperature == TemperatureModel::constant)
+    return {Number(p.temperature_value), Number(sqrt_temperature(p.temperature_value, p.temperature_floor))};
+  const Number sqrt_T = algebraic_sqrt_temperature(factors, q.div_v, q.S_S, p.kinetic, p.temperature_floor);
+  return {sqrt_T * sqrt_T, sqrt_T};
+}
+
+/// {T, regularised sqrt(T)} by the temperature model [m2/s2, m/s].
+template <class Number>
+std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const SolidsParameters& p) {
+  return temperature(q, kinetic_factors(q.nu, p.kinetic), p);
+}
+
+/// {p, mu} of sigma_s = p I - 2 mu S, eq. (8) [Pa, Pa s].
+template <class Number>
+std::array<Number, 2> solids_stress(const SolidsPoint<Number>& q, const SolidsParameters& p) {
+  const auto all = cell_closure(q, p);
+  return {all[CellClosure::pressure], all[CellClosure::viscosity]};
+}
+
+/// Source of (3/2) rho_s nu T in (9) without flux and gas: -sigma_k : grad v - J_coll [W/m3].
+template <class Number>
+Number solids_energy_source(const SolidsPoint<Number>& q, const SolidsParameters& p) {
+  return cell_closure(q, p)[CellClosure::energy_source];
+}
+
+/// Right-hand side of (23): (chi* - chi)/tau [1/s].
+template <class Number>
+Number chi_source(const Number& chi, const Number& steady, const FrictionParameters& p) {
+  return (steady - chi) / p.tau;
+}
+
+}  // namespace scree

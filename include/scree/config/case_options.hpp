@@ -1,0 +1,89 @@
+/// The declarations of all options, one function and one file an idea; read_case.cpp calls them in the order of a case
+/// file.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scree/config/case.hpp"
+#include "scree/config/option_set.hpp"
+
+namespace scree {
+
+/// The grid as given, before it becomes a Box.
+struct GridInput {
+  /// Blocks of cells along an axis: edges, and per block its cells and the ratio of its last to its first cell size.
+  struct Blocks {
+    std::vector<double> edges;
+    std::vector<int> cells;
+    std::vector<double> ratios;
+  };
+  int dim = 2;
+  std::vector<double> extent, origin;
+  std::vector<int> cells;
+  std::array<Blocks, max_dim> blocks;
+  int refine = 1;
+  std::vector<std::string> periodic;
+};
+
+/// An item whose place in its list the user chooses.
+template <class Item>
+struct Ordered {
+  int order = 0;
+  Item item;
+};
+
+/// The items by order, those of equal order as they stand.
+template <class Item>
+std::vector<Item> in_order(std::vector<Ordered<Item>> list) {
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
+  std::vector<Item> items;
+  for (auto& entry : list) items.push_back(std::move(entry.item));
+  return items;
+}
+
+constexpr const char* axis_names[max_dim] = {"x", "y", "z"};
+
+/// Axes by letter, as many as the case has.
+OptionSet::Choices<int> axis_choices(const OptionSet& o, int dim);
+
+/// lower, upper for each axis but `normal` (-1: for all) in order, as a patch; an empty list is the whole.
+Patch patch_from(const std::vector<double>& coordinates, int normal, int dim, std::size_t first = 0);
+
+/// All options in the order of a case file.
+void declare_all(OptionSet& o, GridInput& grid, Case& scene);
+
+void declare_grid(OptionSet& o, GridInput& grid);
+void declare_model(OptionSet& o, int dim, ModelParameters& model);
+void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall);
+void declare_friction(OptionSet& o, FrictionParameters& friction);
+void declare_wall(OptionSet& o, WallParameters& wall);
+std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene);
+std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene);
+std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene);
+void declare_time(OptionSet& o, TimeParameters& time);
+void declare_output(OptionSet& o, const GridInput& grid, Case& scene);
+void declare_solver(OptionSet& o, Case& scene);
+
+/// The box with its face positions. Throws InputError if lists do not fit together.
+Box make_box(const GridInput& grid);
+
+/// Moves all patches, plates and flux planes exactly onto grid planes.
+/// Throws InputError naming the nearest grid plane if one is off by more than 1e-6 of a cell.
+void put_on_grid(Case& scene);
+
+/// Combinations of values: one place for what concerns more than one option. Throws InputError.
+void check_case(const Case& scene);
+
+/// Throws InputError for the first key that is neither ours nor a definition nor PETSc's; names the nearest known one.
+void check_keys(const Database& database, const OptionSet& known);
+
+/// The effective case as YAML, with the PETSc options that were given.
+std::string effective_yaml(const Database& database, const OptionSet& options);
+
+/// One line for each given key that this scene does not use.
+std::vector<std::string> unused_remarks(const Database& database, const OptionSet& options);
+
+}  // namespace scree

@@ -1,0 +1,41 @@
+/// What acts at a velocity: inertia rho_s nu dv/dt and gravity of (3), and the regularisation of voids.
+#pragma once
+
+#include "scree/equations/kernel.hpp"
+#include "scree/equations/layout.hpp"
+#include "scree/equations/scene.hpp"
+
+namespace scree {
+
+/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: eps is added to nu in the inertia, and
+/// a drag eps rho_s v/t_d lets the velocity there decay; gravity acts on nu alone.
+template <class L, int axis>
+struct FaceForces {
+  static constexpr Index e = unit(axis);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    s.add(L::v(axis), {});
+    s.add(L::nu, -1 * e);
+    s.add(L::nu, {});
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 1> rows{{{L::v(axis), Index{}}}};
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    return scene.lattice.inside(I) && scene.lattice.inside(I - e);
+  }
+  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
+                       std::array<Number, count>& r) {
+    const double rho_s = scene.solids.kinetic.rho_s, eps = scene.model.void_fraction_floor;
+    const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    r[0] += rho_s * (nu + eps) * q.dot(L::v(axis)) - (rho_s * scene.model.gravity[axis]) * nu +
+            (rho_s * eps / scene.model.void_drag_time) * q(L::v(axis));
+  }
+};
+
+}  // namespace scree

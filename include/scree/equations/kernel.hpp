@@ -1,0 +1,105 @@
+/// The form of a kernel: a small piece of the residual about an anchor cell, with a fixed list of unknowns that it reads
+/// and of equations that it adds to. One source gives the residual (Number = double), the dense block of the Jacobian
+/// (Number = Dual<inputs>) and the sparsity pattern (the lists alone).
+///
+/// A kernel is a type with
+///   static constexpr auto stencil      its inputs, a StencilBuilder
+///   static constexpr std::array rows   its outputs, Output{component, offset of the cell from the anchor}
+///   static constexpr bool depends(int row, const Input&)         which input a row can depend on
+///   static bool active(const Scene&, const Index& I)             whether it exists at anchor I
+///   static Reference resolve(const Scene&, const Index& I, const Input&)   where an input is read near barriers
+///   static void evaluate(const Scene&, const Index& I, const Local<Kernel, Number>& q, std::array<Number, rows>& r)
+#pragma once
+
+#include <cstdint>
+
+#include "scree/grid/index.hpp"
+#include "scree/math/dual.hpp"
+
+namespace scree {
+
+/// An unknown that a kernel reads: component and cell relative to the anchor.
+struct Input {
+  int component = 0;
+  Index offset;
+};
+
+/// An equation that a kernel adds to.
+struct Output {
+  int component = 0;
+  Index offset;
+};
+
+/// Where the value of an input comes from: factor times the component at anchor + offset.
+struct Reference {
+  Index offset;
+  double factor = 1;
+};
+
+/// A list of inputs without duplicates, made at compile time.
+struct StencilBuilder {
+  static constexpr int capacity = 64;
+  std::array<Input, capacity> inputs{};
+  int size = 0;
+
+  constexpr int find(int component, const Index& offset) const {
+    for (int k = 0; k < size; ++k)
+      if (inputs[static_cast<std::size_t>(k)].component == component &&
+          inputs[static_cast<std::size_t>(k)].offset == offset)
+        return k;
+    return -1;
+  }
+  /// Negative components are absent unknowns.
+  constexpr void add(int component, const Index& offset) {
+    if (component >= 0 && find(component, offset) < 0)
+      inputs[static_cast<std::size_t>(size++)] = Input{component, offset};
+  }
+};
+
+/// Position of each (component, offset) in a stencil, as a table.
+template <class Kernel>
+struct StencilTable {
+  static constexpr int reach = 3;
+  static constexpr int width = 2 * reach + 1;
+  static constexpr int components = 8;
+  std::array<std::int8_t, static_cast<std::size_t>(components* width* width* width)> position{};
+
+  static constexpr std::size_t code(int component, const Index& offset) {
+    return static_cast<std::size_t>(
+        ((component * width + offset[2] + reach) * width + offset[1] + reach) * width + offset[0] + reach);
+  }
+  constexpr StencilTable() {
+    for (auto& entry : position) entry = -1;
+    for (int k = 0; k < Kernel::stencil.size; ++k) {
+      const Input& input = Kernel::stencil.inputs[static_cast<std::size_t>(k)];
+      position[code(input.component, input.offset)] = static_cast<std::int8_t>(k);
+    }
+  }
+};
+
+/// The unknowns about an anchor, and their rates, as a kernel sees them (SI).
+template <class Kernel, class Number>
+struct Local {
+  static constexpr int size = Kernel::stencil.size;
+  static constexpr StencilTable<Kernel> table{};
+
+  std::array<Number, static_cast<std::size_t>(size)> value;
+  std::array<double, static_cast<std::size_t>(size)> rate;         ///< time derivatives
+  std::array<double, static_cast<std::size_t>(size)> rate_slope;   ///< d rate/d stored unknown, shift times scale
+
+  static int position(int component, const Index& offset) {
+    return table.position[StencilTable<Kernel>::code(component, offset)];
+  }
+  const Number& operator()(int component, const Index& offset = {}) const {
+    return value[static_cast<std::size_t>(position(component, offset))];
+  }
+  /// Time derivative of an input.
+  Number dot(int component, const Index& offset = {}) const {
+    const auto k = static_cast<std::size_t>(position(component, offset));
+    Number result(rate[k]);
+    if constexpr (IsDual<Number>::value) result.derivative[k] = rate_slope[k];
+    return result;
+  }
+};
+
+}  // namespace scree

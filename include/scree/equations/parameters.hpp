@@ -1,0 +1,31 @@
+/// Choices and numbers of the balances that concern more than one closure.
+#pragma once
+
+#include <array>
+
+#include "scree/closures/stress.hpp"
+#include "scree/grid/box.hpp"
+
+namespace scree {
+
+enum class AdvectionScheme { upwind, van_albada };
+
+/// Choices of physics that concern more than one closure.
+struct ModelParameters {
+  TemperatureModel temperature = TemperatureModel::transport;
+  double temperature_value = 1e-4;   ///< T where the model is `constant` [m2/s2]
+  double temperature_floor = 1e-14;  ///< added to T under square roots [m2/s2]
+  AdvectionScheme advection = AdvectionScheme::upwind;
+  std::array<double, max_dim> gravity{0, 0, 0};  ///< [m/s2]
+  bool solids_moving = true;          ///< false: nu and v are frozen at their initial values
+  double void_fraction_floor = 1e-5;  ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
+  double void_drag_time = 1e-2;       ///< t_d of that drag [s]
+};
+
+/// Scales that make unknowns and residuals dimensionless: SI value = scale * stored value.
+struct Scales {
+  double velocity = 0.1;  ///< V; granular temperature is scaled by V^2 [m/s]
+  double time = 1e-2;     ///< V/g; momentum is scaled by rho_s V/time, i.e. rho_s g [s]
+};
+
+}  // namespace scree

@@ -1,0 +1,67 @@
+/// Named probes (columns of monitor.csv) and named lines (CSV files at the output times).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scree/output/monitor.hpp"
+#include "scree/output/point_sampler.hpp"
+
+namespace scree {
+
+/// A named point. `fields` are names of datasets ("velocity": all its components) or of one component ("velocity_x");
+/// empty: all.
+struct ProbePoint {
+  std::string name;
+  Point point{};
+  std::vector<std::string> fields;
+};
+
+/// A named segment. `points` > 0: that many, ends included; 0: at the cell centres along the axis it crosses most of.
+struct SampledLine {
+  std::string name;
+  Point from{}, to{};
+  std::vector<std::string> fields;
+  int points = 0;
+};
+
+/// Fields meant by a list of names; throws std::runtime_error naming `owner` and the known names for an unknown one.
+std::vector<Field> select_fields(const std::vector<Field>& fields, const std::vector<std::string>& names,
+                                 const std::string& owner);
+
+/// Values at named points, as columns of the monitor.
+class ProbeSet {
+ public:
+  /// Throws std::runtime_error for an unknown field or a point outside the box.
+  ProbeSet(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<ProbePoint>& probes);
+
+  const std::vector<Column>& columns() const { return columns_; }  ///< "<probe>_<field>", e.g. "wall_velocity_y"
+  std::vector<double> values(Vec state) const { return sampler_.values(state); }  ///< collective; SI, one a column
+
+ private:
+  std::vector<Column> columns_;
+  PointSampler sampler_;
+};
+
+/// Writes lines/NAME_000012.csv: columns time, x, y, z (as many as the box has axes) and the fields, one row a point.
+class LineSampler {
+ public:
+  /// Throws std::runtime_error for an unknown field or an end outside the box.
+  LineSampler(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<SampledLine>& lines);
+
+  /// Collective. `index` is that of the fields written at the same time. Throws std::runtime_error on all ranks.
+  void write(const std::string& directory, int index, double time, Vec state) const;
+
+ private:
+  struct Line {
+    std::string name;
+    std::vector<Point> points;
+    std::vector<Field> fields;
+    PointSampler sampler;
+  };
+  MPI_Comm comm_;
+  int dim_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+/// The model of a scene on PETSc: grid, matrix with the model's sparsity, and the callbacks of TS.
+#pragma once
+
+#include <petscts.h>
+
+#include <memory>
+
+#include "scree/equations/model.hpp"
+
+namespace scree {
+
+/// What a problem is made of.
+struct ProblemSetup {
+  Box box;
+  std::vector<Segment> segments;
+  std::vector<Plate> plates;
+  ModelParameters model;
+  SolidsParameters solids;
+  Scales scales;
+};
+
+/// Owns the DMDA, the model on this rank and the Jacobian matrix.
+class DiscreteProblem {
+ public:
+  explicit DiscreteProblem(ProblemSetup setup) : setup_(std::move(setup)) {}
+  ~DiscreteProblem();
+  DiscreteProblem(const DiscreteProblem&) = delete;
+  DiscreteProblem& operator=(const DiscreteProblem&) = delete;
+
+  /// Collective: grid, model and matrix for the conditions that hold at `time`.
+  PetscErrorCode create(MPI_Comm comm, double time);
+  /// Conditions at `time`: the model and, since constraints may move, the matrix are made anew.
+  PetscErrorCode update_conditions(double time);
+  /// Gives `ts` the residual, the Jacobian and the grid.
+  PetscErrorCode attach(TS ts);
+
+  const ProblemSetup& setup() const { return setup_; }
+  const Box& box() const { return setup_.box; }
+  const Lattice& lattice() const { return *lattice_; }
+  const Barriers& barriers() const { return *barriers_; }
+  const Model& model() const { return *model_; }
+  DM dm() const { return dm_; }
+  Mat matrix() const { return matrix_; }
+
+  /// F(t, U, dU/dt) into a global vector.
+  PetscErrorCode residual(Vec state, Vec rate, Vec residual) const;
+
+  /// Renews nu from continuity: `residual` belongs to `state` and to the last evaluation by TS. *imbalance [m^dim/s]:
+  /// rate of change of the solids volume after that, plus its outflow through the sides; zero but for rounding.
+  PetscErrorCode correct_continuity(Vec state, Vec residual, double* imbalance) const;
+  /// Solids volume in the box [m^dim].
+  PetscErrorCode solids_volume(Vec state, double* volume) const;
+  /// Outflow of solids through all sides of the box [m^dim/s].
+  PetscErrorCode outflow(Vec state, double* flux) const;
+  /// Flux of solids along +axis through the faces nearest to `position` whose centres lie in `patch` [m^dim/s].
+  PetscErrorCode plane_flux(Vec state, int axis, double position, const Patch& patch, double* flux) const;
+
+ private:
+  double face_area(int axis, const Index& I) const;
+  static PetscErrorCode ifunction(TS, PetscReal, Vec state, Vec rate, Vec residual, void* problem);
+  static PetscErrorCode ijacobian(TS, PetscReal, Vec state, Vec rate, PetscReal shift, Mat A, Mat P, void* problem);
+  PetscErrorCode create_matrix();
+  PetscErrorCode find_places();
+
+  ProblemSetup setup_;
+  DM dm_ = nullptr;
+  Mat matrix_ = nullptr;
+  std::unique_ptr<Lattice> lattice_;
+  std::unique_ptr<Barriers> barriers_;
+  std::unique_ptr<Model> model_;
+  EntryPlaces places_;
+  mutable Vec last_rate_ = nullptr;  ///< dU/dt of the last residual that TS asked for; not owned
+  double last_shift_ = 0;            ///< of the last Jacobian
+};
+
+/// Read access to the ghosted values of a global vector, for as long as it lives.
+class GhostedArray {
+ public:
+  PetscErrorCode open(DM dm, Vec global);
+  PetscErrorCode close();
+  const double* data() const { return data_; }
+
+ private:
+  DM dm_ = nullptr;
+  Vec local_ = nullptr;
+  const double* data_ = nullptr;
+};
+
+}  // namespace scree

@@ -1,0 +1,35 @@
+/// Keeps the iterates of Newton's method inside the model: a step may go only part of the way to a bound.
+#pragma once
+
+#include <petscsnes.h>
+
+#include "scree/solver/discrete_problem.hpp"
+
+namespace scree {
+
+/// Limits of one Newton step, component by component: nu takes at most .7 of what is left to nu_max and stays >= 0,
+/// T keeps at least 1 % and chi 10 % of its value, chi stays below the tip of the yield surface. These limit the way of
+/// an iterate only: a converged state satisfies its equations, nothing is clipped.
+class NewtonLimits {
+ public:
+  explicit NewtonLimits(const DiscreteProblem& problem);
+
+  /// Registers with the line search of `snes`; the object must outlive it.
+  PetscErrorCode attach(SNES snes);
+  /// Changes `target`, meant to be reached from `from`, where it breaks a limit; adds to `limited` the unknowns changed
+  /// on this rank.
+  PetscErrorCode apply(Vec from, Vec target, long* limited) const;
+
+  long limited() const { return limited_; }  ///< unknowns limited so far, on this rank
+  void reset() { limited_ = 0; }
+
+ private:
+  static PetscErrorCode pre_check(SNESLineSearch, Vec state, Vec step, PetscBool* changed, void* limits);
+
+  const DiscreteProblem& problem_;
+  double nu_max_, chi_max_;
+  int nu_ = -1, T_ = -1, chi_ = -1;  ///< components
+  long limited_ = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,21 @@
+/// Named sets of PETSc options for the nonlinear and linear solvers. A preset is nothing but options; those that the
+/// case file or the command line set win.
+#pragma once
+
+#include <petscsys.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+using PetscOptionList = std::vector<std::pair<std::string, std::string>>;
+
+/// Options of preset "direct", "ilu" or "fieldsplit" for a node of `unknowns` unknowns, nu being the first.
+PetscOptionList preset_options(const std::string& preset, int unknowns);
+
+/// Puts those options that are not set yet into the options database.
+PetscErrorCode apply_preset(const std::string& preset, int unknowns);
+
+}  // namespace scree

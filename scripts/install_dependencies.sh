@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Installs what Scree needs from the packages of Debian 12; does nothing where all of it is there already.
+set -euo pipefail
+
+usage() {
+  cat <<TEXT
+Usage: scripts/install_dependencies.sh [--dev] [--list]
+  --dev    also clang-format, clang-tidy and valgrind
+  --list   print the packages and stop
+TEXT
+}
+
+packages=(
+  build-essential cmake ninja-build pkg-config
+  openmpi-bin libopenmpi-dev
+  petsc-dev libpetsc-real-dev slepc-dev libslepc-real3.18-dev libhypre-dev libmetis-dev libopenblas0-serial
+  libhdf5-openmpi-dev libudunits2-dev nlohmann-json3-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+  python3-numpy python3-scipy python3-matplotlib python3-h5py
+)
+
+list_only=false
+for argument in "$@"; do
+  case "$argument" in
+    --dev) packages+=(clang-format clang-tidy valgrind) ;;
+    --list) list_only=true ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
+  esac
+done
+if $list_only; then
+  printf '%s\n' "${packages[@]}"
+  exit 0
+fi
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "install_dependencies.sh: this is not a Debian system; install the equivalents of these packages by hand:" >&2
+  printf '  %s\n' "${packages[@]}" >&2
+  exit 1
+fi
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "install_dependencies.sh: needs root or sudo for: $*" >&2
+    return 1
+  fi
+}
+
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "Installing: ${missing[*]}"
+  as_root apt-get -q -o DPkg::Lock::Timeout=300 update
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get -q -y -o DPkg::Lock::Timeout=300 install --no-install-recommends "${missing[@]}"
+fi
+
+# The ranks are the parallelism. A threaded BLAS, where there is one, has the higher priority and would win.
+multiarch=$(gcc -print-multiarch)
+for library in blas lapack; do
+  link=lib$library.so.3-$multiarch
+  serial=/usr/lib/$multiarch/openblas-serial/lib$library.so.3
+  state=$(update-alternatives --query "$link")
+  if grep -qx "Value: $serial" <<<"$state"; then
+    continue
+  elif grep -qx "Status: auto" <<<"$state"; then
+    echo "Choosing the serial OpenBLAS for $link"
+    as_root update-alternatives --set "$link" "$serial" || echo "left as it is; set OMP_NUM_THREADS=1 for your runs" >&2
+  else
+    echo "$link was chosen by hand and stays; the serial OpenBLAS suits Scree best" >&2
+  fi
+done

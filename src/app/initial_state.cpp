@@ -1,0 +1,156 @@
+#include "scree/app/initial_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+
+#include "scree/config/input_error.hpp"
+
+namespace scree {
+
+namespace {
+
+/// Piecewise linear table, constant beyond its ends.
+class Table {
+ public:
+  explicit Table(const std::string& file) {
+    std::ifstream in(file);
+    if (!in) throw InputError("initial table", file, "a readable file of lines 'coordinate solids_fraction' in SI");
+    for (std::string line; std::getline(in, line);) {
+      const auto start = line.find_first_not_of(" \t\r");
+      if (start == std::string::npos || line[start] == '#') continue;
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::size_t used = 0;
+      try {
+        x_.push_back(std::stod(line, &used));
+        y_.push_back(std::stod(line.substr(used)));
+      } catch (const std::exception&) {
+        throw InputError("initial table", file, "two numbers a line, got '" + line + "'");
+      }
+      if (x_.size() > 1 && x_.back() <= x_[x_.size() - 2])
+        throw InputError("initial table", file, "ascending coordinates, got '" + line + "'");
+    }
+    if (x_.empty()) throw InputError("initial table", file, "at least one line 'coordinate solids_fraction'");
+  }
+  double at(double x) const {
+    const auto after = std::upper_bound(x_.begin(), x_.end(), x) - x_.begin();
+    if (after == 0) return y_.front();
+    if (after == static_cast<std::ptrdiff_t>(x_.size())) return y_.back();
+    const double share = (x - x_[after - 1]) / (x_[after] - x_[after - 1]);
+    return y_[after - 1] + share * (y_[after] - y_[after - 1]);
+  }
+
+ private:
+  std::vector<double> x_, y_;
+};
+
+/// The root of p_c(nu) (1 + loss/2) = carried + weight nu/2 in (nu_min, nu_max): p_c rises from 0 to infinity.
+double solids_fraction_under(double carried, double weight, double loss, const FrictionParameters& friction) {
+  double low = friction.nu_min, high = friction.nu_max;
+  for (int k = 0; k < 200 && high - low > 1e-16 * high; ++k) {
+    const double nu = 0.5 * (low + high);
+    (critical_pressure(nu, friction) * (1 + loss) < carried + weight * nu ? low : high) = nu;
+  }
+  return 0.5 * (low + high);
+}
+
+int gravity_axis(const std::array<double, max_dim>& gravity) {
+  int axis = 0;
+  for (int a = 1; a < max_dim; ++a)
+    if (std::abs(gravity[a]) > std::abs(gravity[axis])) axis = a;
+  return axis;
+}
+
+/// Solids fraction of a region as a function of place.
+class SolidsFraction {
+ public:
+  SolidsFraction(const InitialRegion& region, const Case& scene, const Lattice& grid)
+      : region_(region), axis_(region.table_axis) {
+    if (!region.table.empty()) table_.emplace(region.table);
+    if (region.profile != InitialRegion::Profile::equilibrium) return;
+    axis_ = gravity_axis(scene.model.gravity);
+    const double g = scene.model.gravity[axis_];
+    column_ = equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface,
+                                 region.janssen_width, scene);
+  }
+  double at(const Lattice& grid, const Index& I) const {
+    if (!column_.empty()) return column_[static_cast<std::size_t>(I[axis_])];
+    return table_ ? table_->at(grid.axes[axis_].centre(I[axis_])) : region_.solids_fraction;
+  }
+
+ private:
+  const InitialRegion& region_;
+  int axis_;
+  std::optional<Table> table_;
+  std::vector<double> column_;
+};
+
+/// Whether a point lies in the region's box.
+bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, int dim) {
+  for (int a = 0; a < dim; ++a)
+    if (x[a] < region.lower[a] || x[a] > region.upper[a]) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface,
+                                       double janssen_width, const Case& scene) {
+  const double rho_g = scene.kinetic.rho_s * gravity;
+  const double loss_rate = janssen_width > 0 ? 2 * std::tan(scene.wall.delta) / janssen_width : 0;
+  std::vector<double> nu(static_cast<std::size_t>(axis.cells()), 0.0);
+  double p_above = 0, nu_above = 0;
+  bool first = true;
+  const int start = down < 0 ? axis.cells() - 1 : 0;
+  for (int i = start; i >= 0 && i < axis.cells(); i += down) {
+    const double depth = (axis.centre(i) - surface) * down;
+    if (depth <= 0) continue;
+    const int face = down < 0 ? i + 1 : i;
+    const double distance = first ? depth : axis.distance(face);
+    // Shares of the two cells in the weight of the control volume between their centres.
+    const double own = first ? 1 : (down < 0 ? axis.lower_share(face) : 1 - axis.lower_share(face));
+    const double loss = 0.5 * loss_rate * distance;
+    const double carried = p_above * (1 - loss) + rho_g * distance * (1 - own) * nu_above;
+    nu_above = nu[static_cast<std::size_t>(i)] =
+        solids_fraction_under(carried, rho_g * distance * own, loss, scene.friction);
+    p_above = critical_pressure(nu_above, scene.friction);
+    first = false;
+  }
+  return nu;
+}
+
+void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec state) {
+  const Lattice& grid = problem.lattice();
+  const Model& model = problem.model();
+  double* x;
+  PetscCallAbort(PETSC_COMM_SELF, VecZeroEntries(state));
+  PetscCallAbort(PETSC_COMM_SELF, VecGetArray(state, &x));
+  for (const InitialRegion& region : scene.initial) {
+    const SolidsFraction solids_fraction(region, scene, grid);
+    for (const Field& field : model.fields()) {
+      for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+        if (field.face_axis < 0 ? !grid.inside(I) : !grid.is_face(field.face_axis, I)) return;
+        std::array<double, max_dim> at{};
+        for (int a = 0; a < grid.dim; ++a)
+          at[a] = a == field.face_axis ? grid.axes[a].face(I[a]) : grid.axes[a].centre(I[a]);
+        if (!holds(region, at, grid.dim)) return;
+        double& value = x[grid.owned(I) * model.unknowns() + field.component];
+        if (field.symbol == "nu" && region.has_solids_fraction) value = solids_fraction.at(grid, I) / field.scale;
+        if (field.symbol == "T" && region.has_temperature) value = region.granular_temperature / field.scale;
+        if (field.symbol == "chi" && region.has_chi) value = region.chi / field.scale;
+        if (field.symbol == "v" && region.has_velocity) {
+          const int axis = field.face_axis;
+          value = region.velocity[axis];
+          for (int b = 0; b < grid.dim; ++b)
+            value += region.velocity_gradient[max_dim * axis + b] * (at[b] - problem.box().lower(b));
+          if (problem.barriers().wall(axis, I)) value = problem.barriers().condition(axis, I).velocity[axis];
+          value /= field.scale;
+        }
+      });
+    }
+  }
+  PetscCallAbort(PETSC_COMM_SELF, VecRestoreArray(state, &x));
+}
+
+}  // namespace scree

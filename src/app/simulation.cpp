@@ -1,0 +1,298 @@
+#include "scree/app/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/app/initial_state.hpp"
+#include "scree/output/atomic_file.hpp"
+#include "scree/output/checkpoint.hpp"
+#include "scree/output/directory.hpp"
+#include "scree/output/errors.hpp"
+#include "scree/solver/presets.hpp"
+
+namespace scree {
+
+namespace {
+
+const char* name_of(SolverPreset preset) {
+  return preset == SolverPreset::direct ? "direct" : preset == SolverPreset::ilu ? "ilu" : "fieldsplit";
+}
+
+const char* name_of(TimeScheme scheme) {
+  return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
+}
+
+/// Unless the case says otherwise V = sqrt(g d) and time V/g.
+Scales scales_of(const Case& scene) {
+  double g = 0;
+  for (const double component : scene.model.gravity) g += component * component;
+  g = std::sqrt(g);
+  Scales scales;
+  scales.velocity = scene.scale_velocity > 0 ? scene.scale_velocity : g > 0 ? std::sqrt(g * scene.kinetic.d) : 0.1;
+  scales.time = g > 0 ? scales.velocity / g : scene.kinetic.d / scales.velocity;
+  return scales;
+}
+
+void print_solver(MPI_Comm comm, const Case& scene, int unknowns) {
+  PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
+  for (const auto& [name, value] : preset_options(name_of(scene.solver.preset), unknowns))
+    PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
+  PetscPrintf(comm, "\n");
+}
+
+}  // namespace
+
+ProblemSetup Simulation::problem_setup(const Case& scene) {
+  ProblemSetup setup;
+  setup.box = scene.box;
+  setup.segments = scene.segments;
+  setup.plates = scene.plates;
+  setup.model = scene.model;
+  setup.solids = {scene.kinetic, scene.friction, scene.model.temperature, scene.model.temperature_value,
+                  scene.model.temperature_floor};
+  setup.scales = scales_of(scene);
+  return setup;
+}
+
+StepControl Simulation::step_control(const Case& scene) {
+  const TimeParameters& t = scene.time;
+  return {name_of(t.scheme), t.step_initial, t.step_min, t.step_max, t.accuracy, t.adaptive, scene.solver.extrapolate};
+}
+
+Simulation::Simulation(MPI_Comm comm, const Case& scene)
+    : comm_(comm), scene_(scene), problem_(problem_setup(scene)), clock_(comm) {
+  check_petsc(problem_.create(comm, 0), "set-up of the grid");
+  const int unknowns = problem_.model().unknowns();
+  check_petsc(apply_preset(name_of(scene_.solver.preset), unknowns), "solver preset");
+  if (scene_.solver.view) print_solver(comm, scene_, unknowns);
+  stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
+  check_petsc(stepper_->create(0), "set-up of the solver");
+  measures_ = std::make_unique<Measures>(scene_, problem_);
+
+  std::vector<ProbePoint> probes;
+  for (const Probe& p : scene_.probes) probes.push_back({p.name, p.point, p.fields});
+  std::vector<SampledLine> lines;
+  for (const Line& l : scene_.lines) lines.push_back({l.name, l.from, l.to, l.fields, 0});
+  probes_ = std::make_unique<ProbeSet>(scene_.box, problem_.dm(), problem_.model().fields(), probes);
+  lines_ = std::make_unique<LineSampler>(scene_.box, problem_.dm(), problem_.model().fields(), lines);
+
+  if (scene_.output.restart.empty())
+    start_new();
+  else
+    restart();
+}
+
+void Simulation::start_new() {
+  set_initial_state(scene_, problem_, stepper_->state());
+  check_petsc(problem_.solids_volume(stepper_->state(), &totals_.initial_volume), "solids volume");
+  open_outputs(std::nullopt);
+  append_monitor({});
+  write_fields();
+}
+
+void Simulation::restart() {
+  const Checkpoint saved = read_checkpoint(scene_.output.restart, scene_.box, problem_.dm(), problem_.model().fields());
+  if (!saved.remark.empty()) PetscPrintf(comm_, "%s\n", saved.remark.c_str());
+  const double time = saved.scalar("time");
+  if (time >= scene_.time.end_time)
+    throw std::runtime_error("restart: " + saved.file + " is at " + std::to_string(time) +
+                             " s already; give an end_time beyond it");
+  check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
+  check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
+  check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
+  check_petsc(problem_.update_conditions(time), "restart");
+  check_petsc(stepper_->restart_after_event(), "restart");
+  stepper_->history() = {saved.scalar("dt_next"),
+                         {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
+                         static_cast<int>(saved.scalar("easy_steps"))};
+  check_petsc(stepper_->set_time(time), "restart");
+  totals_ = {saved.scalar("steps"),           saved.scalar("newton"),  saved.scalar("krylov"),
+             saved.scalar("rejected_error"),  saved.scalar("rejected_solver"), saved.scalar("limited"),
+             saved.scalar("imbalance"),       saved.scalar("initial_volume"),  saved.scalar("dt_max")};
+  next_fields_ = saved.scalar("next_fields");
+  next_checkpoint_ = saved.scalar("next_checkpoint");
+  open_outputs(time);
+  PetscPrintf(comm_, "going on from %s at t = %g s\n", saved.file.c_str(), time);
+}
+
+void Simulation::open_outputs(std::optional<double> restart_time) {
+  const std::string& directory = scene_.output.directory;
+  prepare_directory(comm_, directory, scene_.output.restart, scene_.output.overwrite);
+  monitor_ = std::make_unique<MonitorFile>(comm_, directory + "/monitor.csv", monitor_columns(), restart_time);
+  on_first_rank(comm_, [&] { write_text_atomically(directory + "/case.yaml", scene_.effective_yaml); });
+  fields_ = std::make_unique<FieldWriter>(directory, scene_.box, problem_.dm(), problem_.model().fields(), restart_time);
+  stop_ = std::make_unique<StopRequest>(comm_, scene_.output.wall_clock_budget);
+}
+
+/// The time that the next step must not pass: the end, or a start or end of a time window.
+double Simulation::next_event() const {
+  double event = scene_.time.end_time;
+  const auto consider = [&](double time) {
+    if (time > stepper_->time() * (1 + 1e-12)) event = std::min(event, time);
+  };
+  for (const Segment& segment : scene_.segments) {
+    consider(segment.condition.from);
+    consider(segment.condition.until);
+  }
+  return event;
+}
+
+void Simulation::run() {
+  Progress progress(comm_, stepper_->time(), scene_.time.end_time);
+  std::string end = "end_time";
+  while (stepper_->time() < scene_.time.end_time * (1 - 1e-12)) {
+    if (stop_->requested()) {
+      end = stop_->reason();
+      break;
+    }
+    const double event = next_event();
+    StepReport report;
+    check_petsc(stepper_->step(event, &report), "time step");
+    if (report.failed) {
+      write_checkpoint();
+      write_summary("no step works");
+      char what[200];
+      std::snprintf(what, sizeof what, "no step of at least time_step_min = %g s works at t = %g s (%s); the checkpoint "
+                    "holds the last good state", scene_.time.step_min, stepper_->time(), report.reason.c_str());
+      throw std::runtime_error(what);
+    }
+    account(report);
+    if (event < scene_.time.end_time && stepper_->time() >= event * (1 - 1e-12)) {
+      check_petsc(problem_.update_conditions(stepper_->time()), "time window");
+      check_petsc(stepper_->restart_after_event(), "time window");
+    }
+    if (static_cast<long>(totals_.steps) % scene_.output.monitor_every == 0) append_monitor(report);
+    if (scene_.output.field_interval > 0 && stepper_->time() >= next_fields_ * (1 - 1e-12)) write_fields();
+    if (scene_.output.checkpoint_interval > 0 && stepper_->time() >= next_checkpoint_ * (1 - 1e-12)) write_checkpoint();
+    progress.update(static_cast<int>(totals_.steps), stepper_->time(), report.dt);
+  }
+  progress.finish();
+  if (!fields_->last_time() || *fields_->last_time() < stepper_->time()) write_fields();
+  write_checkpoint();
+  write_summary(end);
+}
+
+void Simulation::account(const StepReport& report) {
+  totals_.steps += 1;
+  totals_.newton += report.newton;
+  totals_.krylov += report.krylov;
+  totals_.rejected_error += report.rejected_error;
+  totals_.rejected_solver += report.rejected_solver;
+  double limited = static_cast<double>(report.limited);
+  MPI_Allreduce(MPI_IN_PLACE, &limited, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  totals_.limited += limited;
+  totals_.imbalance += report.imbalance;
+  totals_.dt_max = std::max(totals_.dt_max, report.dt);
+}
+
+std::vector<Column> Simulation::monitor_columns() const {
+  std::vector<Column> columns{{"time", "s"},
+                              {"dt", "s"},
+                              {"newton_iterations", "1"},
+                              {"krylov_iterations", "1"},
+                              {"rejected_error", "1"},
+                              {"rejected_solver", "1"},
+                              {"limited", "1"},
+                              {"local_error", "1"},
+                              {"mass_error", "1"},
+                              {"cpu_seconds", "s"},
+                              {"cpu_residual", "s"},
+                              {"cpu_jacobian", "s"},
+                              {"cpu_setup", "s"},
+                              {"cpu_solve", "s"}};
+  for (const auto* more : {&measures_->columns(), &probes_->columns()})
+    columns.insert(columns.end(), more->begin(), more->end());
+  return columns;
+}
+
+void Simulation::append_monitor(const StepReport& report) {
+  const PhaseSeconds cpu = clock_.read();
+  const double mass_error = totals_.initial_volume > 0 ? totals_.imbalance / totals_.initial_volume : totals_.imbalance;
+  std::vector<double> row{stepper_->time(),
+                          report.dt,
+                          static_cast<double>(report.newton),
+                          static_cast<double>(report.krylov),
+                          static_cast<double>(report.rejected_error),
+                          static_cast<double>(report.rejected_solver),
+                          totals_.limited,
+                          report.error,
+                          mass_error,
+                          cpu.cpu,
+                          cpu.residual,
+                          cpu.jacobian,
+                          cpu.setup,
+                          cpu.solve};
+  for (const auto& more : {measures_->values(stepper_->state()), probes_->values(stepper_->state())})
+    row.insert(row.end(), more.begin(), more.end());
+  monitor_->append(row);
+}
+
+void Simulation::write_fields() {
+  const double interval = scene_.output.field_interval;
+  const int index = fields_->write(stepper_->time(), stepper_->state());
+  lines_->write(scene_.output.directory, index, stepper_->time(), stepper_->state());
+  if (interval > 0) next_fields_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
+}
+
+void Simulation::write_checkpoint() {
+  const double interval = scene_.output.checkpoint_interval;
+  if (interval > 0) next_checkpoint_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
+  const StepHistory& history = stepper_->history();
+  scree::write_checkpoint(
+      scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(), problem_.model().fields(),
+      {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
+      {{"time", stepper_->time()},
+       {"dt_next", history.dt_next},
+       {"dt_past_0", history.dt_past[0]},
+       {"dt_past_1", history.dt_past[1]},
+       {"easy_steps", history.easy_steps},
+       {"steps", totals_.steps},
+       {"newton", totals_.newton},
+       {"krylov", totals_.krylov},
+       {"rejected_error", totals_.rejected_error},
+       {"rejected_solver", totals_.rejected_solver},
+       {"limited", totals_.limited},
+       {"imbalance", totals_.imbalance},
+       {"initial_volume", totals_.initial_volume},
+       {"dt_max", totals_.dt_max},
+       {"next_fields", next_fields_},
+       {"next_checkpoint", next_checkpoint_}},
+      {{"case", scene_.effective_yaml}});
+}
+
+void Simulation::write_summary(const std::string& end) {
+  int ranks, cells = 1;
+  MPI_Comm_size(comm_, &ranks);
+  for (int axis = 0; axis < scene_.box.dim; ++axis) cells *= scene_.box.cells(axis);
+  const PhaseSeconds cpu = clock_.read();
+
+  Summary summary;
+  summary["end"] = end;
+  summary["time"] = stepper_->time();
+  const auto values = measures_->values(stepper_->state());
+  for (std::size_t k = 0; k < values.size(); ++k) summary["quantities"][measures_->columns()[k].name] = values[k];
+  summary["quantities"]["mass_error"] =
+      totals_.initial_volume > 0 ? totals_.imbalance / totals_.initial_volume : totals_.imbalance;
+  summary["cells"] = cells;
+  summary["unknowns_per_cell"] = problem_.model().unknowns();
+  for (const Field& field : problem_.model().fields()) summary["unknowns"].push_back(column_name(field));
+  summary["ranks"] = ranks;
+  summary["steps"] = totals_.steps;
+  summary["newton_iterations"] = totals_.newton;
+  summary["krylov_iterations"] = totals_.krylov;
+  summary["rejected_error"] = totals_.rejected_error;
+  summary["rejected_solver"] = totals_.rejected_solver;
+  summary["unknowns_limited"] = totals_.limited;
+  summary["dt_max"] = totals_.dt_max;
+  summary["wall_seconds"] = clock_.wall();
+  summary["cpu_seconds"] = {{"total", cpu.cpu},      {"residual", cpu.residual}, {"jacobian", cpu.jacobian},
+                            {"preconditioner_setup", cpu.setup}, {"krylov", cpu.solve}};
+  summary["cpu_seconds_per_step"] = totals_.steps > 0 ? cpu.cpu / totals_.steps : 0;
+  summary["peak_memory_per_rank_bytes"] = clock_.peak_memory_per_rank();
+  char version[256];
+  check_petsc(PetscGetVersion(version, sizeof version), "version");
+  summary["versions"] = {{"scree", SCREE_VERSION}, {"petsc", version}};
+  scree::write_summary(comm_, scene_.output.directory + "/summary.json", summary);
+}
+
+}  // namespace scree

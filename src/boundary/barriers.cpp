@@ -1,0 +1,83 @@
+#include "scree/boundary/barriers.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace scree {
+
+namespace {
+
+bool within(const Patch& patch, const Lattice& lattice, int normal_axis, const Index& I) {
+  for (int axis = 0; axis < lattice.dim; ++axis) {
+    if (axis == normal_axis) continue;
+    const Axis& along = lattice.axes[axis];
+    const int cell = along.periodic() ? (I[axis] + along.cells()) % along.cells() : I[axis];
+    const double x = along.centre(cell);
+    if (x < patch.lower[axis] || x > patch.upper[axis]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Barriers::Barriers(const Lattice& lattice, const std::vector<Segment>& segments, const std::vector<Plate>& plates,
+                   double time)
+    : lattice_(&lattice) {
+  for (auto& faces : face_) faces.assign(lattice.ghosted_size(), 0);
+  near_.assign(lattice.ghosted_size(), 0);
+  mark_sides(segments, time);
+  mark_plates(plates);
+  mark_neighbourhood();
+}
+
+void Barriers::mark_sides(const std::vector<Segment>& segments, double time) {
+  const Lattice& grid = *lattice_;
+  if (segments.size() > 200) throw std::runtime_error("more than 200 boundary segments");
+  for (const Segment& segment : segments) conditions_.push_back(segment.condition);
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const Segment& segment = segments[s];
+    if (time < segment.condition.from || time >= segment.condition.until) continue;
+    const int side = segment.upper ? grid.axes[segment.axis].cells() : 0;
+    for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
+      if (I[segment.axis] == side && grid.is_face(segment.axis, I) && within(segment.patch, grid, segment.axis, I))
+        face_[segment.axis][grid.ghosted(I)] = static_cast<std::uint8_t>(s + 1);
+    });
+  }
+}
+
+void Barriers::mark_plates(const std::vector<Plate>& plates) {
+  const Lattice& grid = *lattice_;
+  for (const Plate& plate : plates) {
+    conditions_.push_back(plate.condition);
+    if (conditions_.size() > 255) throw std::runtime_error("more than 255 boundary segments and plates");
+    const Axis& axis = grid.axes[plate.axis];
+    for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
+      const bool on_plane = std::abs(axis.face(I[plate.axis]) - plate.position) < 1e-4 * axis.width(I[plate.axis]);
+      if (!on_plane || !grid.inside(I) || !grid.inside(I - unit(plate.axis)) ||
+          !within(plate.span, grid, plate.axis, I))
+        return;
+      for (const Patch& opening : plate.openings)
+        if (within(opening, grid, plate.axis, I)) return;
+      face_[plate.axis][grid.ghosted(I)] = static_cast<std::uint8_t>(conditions_.size());
+    });
+  }
+}
+
+void Barriers::mark_neighbourhood() {
+  const Lattice& grid = *lattice_;
+  Index first, count{{1, 1, 1}};
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    first[axis] = -halo;
+    count[axis] = 2 * halo + 1;
+  }
+  for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
+    for (int axis = 0; axis < grid.dim; ++axis) {
+      if (!at(axis, I)) continue;
+      for_each_node(first, count, [&](const Index& offset) {
+        if (grid.is_ghosted(I + offset)) near_[grid.ghosted(I + offset)] = 1;
+      });
+    }
+  });
+}
+
+}  // namespace scree

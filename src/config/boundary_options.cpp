@@ -1,0 +1,132 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+const OptionSet::Choices<BoundaryKind> wall_kinds{{"wall_johnson_jackson", BoundaryKind::wall_johnson_jackson},
+                                                  {"wall_free_slip", BoundaryKind::wall_free_slip},
+                                                  {"wall_no_slip", BoundaryKind::wall_no_slip}};
+
+OptionSet::Choices<BoundaryKind> side_kinds() {
+  OptionSet::Choices<BoundaryKind> kinds = wall_kinds;
+  kinds.push_back({"symmetry", BoundaryKind::symmetry});
+  kinds.push_back({"open", BoundaryKind::open});
+  kinds.push_back({"inlet", BoundaryKind::inlet});
+  return kinds;
+}
+
+/// Sides by name; a side is 2 axis + (1 for the upper one).
+OptionSet::Choices<int> side_choices(const OptionSet& o, int dim) {
+  OptionSet::Choices<int> choices;
+  for (const auto& [name, axis] : axis_choices(o, dim)) {
+    choices.push_back({name + "_lower", 2 * axis});
+    choices.push_back({name + "_upper", 2 * axis + 1});
+  }
+  return choices;
+}
+
+/// A key with coordinates in the plane of a side or plate; the whole of it if not given.
+std::vector<double> declare_patches(OptionSet& o, const std::string& key, int dim, bool several,
+                                    const std::string& otherwise, const std::string& text) {
+  std::vector<double> list;
+  const std::size_t count = 2 * static_cast<std::size_t>(dim - 1);
+  const OptionEntry& entry =
+      o.reals(key, list, {count, several, "lower, upper per remaining axis"}, "m", any_number(), text)
+          .unset_by_default(otherwise);
+  if (entry.given && dim == 1) throw InputError(key, entry.value, "no coordinates: a side is a point in one dimension");
+  return list;
+}
+
+void declare_wall_values(OptionSet& o, const std::string& key, bool used, WallParameters& wall) {
+  const std::string other_kind = "its kind is not wall_johnson_jackson";
+  o.real(key + "friction_angle", wall.delta, "rad", angle_below_right(), "angle of wall friction, eq. (25)")
+      .symbol("delta")
+      .default_from("wall_friction_angle")
+      .used_if(used, other_kind);
+  o.real(key + "specularity", wall.specularity, "-", from_zero_to_one(), "specularity coefficient of (25), (26)")
+      .symbol("phi'")
+      .default_from("wall_specularity")
+      .used_if(used, other_kind);
+  o.real(key + "restitution", wall.e_w, "-", above_zero_to_one(), "restitution between particle and wall, eq. (26)")
+      .symbol("e_w")
+      .default_from("wall_restitution")
+      .used_if(used, other_kind);
+}
+
+void declare_inlet_values(OptionSet& o, const std::string& key, const Case& scene, Condition& condition) {
+  const bool inlet = condition.kind == BoundaryKind::inlet;
+  const std::string no_inlet = "its kind is not inlet";
+  OptionEntry& nu = o.real(key + "solids_fraction", condition.solids_fraction, "-",
+                           from_zero_below(scene.kinetic.nu_max, "solids_fraction_max"), "of what an inlet brings")
+                        .symbol("nu")
+                        .unset_by_default("required for an inlet")
+                        .used_if(inlet, no_inlet);
+  nu.needed = inlet;
+  o.real(key + "granular_temperature", condition.granular_temperature, "m2/s2", non_negative(),
+         "of what an inlet brings")
+      .symbol("T")
+      .used_if(inlet, no_inlet)
+      .used_if(scene.model.temperature == TemperatureModel::transport, "granular_temperature is not transport");
+  o.real(key + "frictional_pressure_ratio", condition.chi, "-", non_negative(), "of what an inlet brings")
+      .symbol("chi")
+      .used_if(inlet, no_inlet)
+      .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+}
+
+void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
+                     Ordered<Segment>& entry) {
+  Segment& segment = entry.item;
+  Condition& condition = segment.condition;
+  condition.wall = scene.wall;
+  int side = 0;
+  o.choice(key + "side", side, side_choices(o, grid.dim), "side of the box").required();
+  segment.axis = side / 2;
+  segment.upper = side % 2 == 1;
+  o.choice(key + "kind", condition.kind, side_kinds(), "what happens there, see the table of kinds").required();
+  segment.patch = patch_from(
+      declare_patches(o, key + "patch", grid.dim, false, "the whole side", "part of the side, on grid planes"),
+      segment.axis, grid.dim);
+  o.integer(key + "order", entry.order, -1000000, "where segments overlap the higher order holds, then the later name");
+  const bool moves = condition.kind != BoundaryKind::symmetry && condition.kind != BoundaryKind::open;
+  o.vector(key + "velocity", condition.velocity, grid.dim, "m/s", "of the wall, or of what an inlet brings")
+      .symbol("v")
+      .used_if(moves, "its kind has no velocity");
+  declare_wall_values(o, key, condition.kind == BoundaryKind::wall_johnson_jackson, condition.wall);
+  declare_inlet_values(o, key, scene, condition);
+  o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
+  o.real(key + "until", condition.until, "s", any_number(), "end of its time window").unset_by_default("always");
+}
+
+void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene, Plate& plate) {
+  plate.condition.wall = scene.wall;
+  o.choice(key + "axis", plate.axis, axis_choices(o, grid.dim), "axis normal to the plate").required();
+  o.real(key + "position", plate.position, "m", any_number(), "coordinate along that axis, on a grid plane").required();
+  o.choice(key + "kind", plate.condition.kind, wall_kinds, "wall law on both sides");
+  plate.span = patch_from(declare_patches(o, key + "span", grid.dim, false, "everywhere", "extent, on grid planes"),
+                          plate.axis, grid.dim);
+  const std::vector<double> openings =
+      declare_patches(o, key + "openings", grid.dim, true, "none", "holes in the plate, one after the other");
+  for (std::size_t first = 0; first < openings.size(); first += 2 * static_cast<std::size_t>(grid.dim - 1))
+    plate.openings.push_back(patch_from(openings, plate.axis, grid.dim, first));
+  o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s", "of the wall, in its plane").symbol("v");
+  declare_wall_values(o, key, plate.condition.kind == BoundaryKind::wall_johnson_jackson, plate.condition.wall);
+}
+
+}  // namespace
+
+std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene) {
+  return in_order(o.named<Ordered<Segment>>(
+      "boundary", [&](OptionSet& set, const std::string& key, const std::string& name, Ordered<Segment>& entry) {
+        entry.item.condition.name = name;
+        declare_segment(set, key, grid, scene, entry);
+      }));
+}
+
+std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene) {
+  return o.named<Plate>("plate", [&](OptionSet& set, const std::string& key, const std::string& name, Plate& plate) {
+    plate.condition.name = name;
+    declare_plate(set, key, grid, scene, plate);
+  });
+}
+
+}  // namespace scree

@@ -1,0 +1,178 @@
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+std::string point_text(const std::array<double, max_dim>& point, int dim) {
+  std::string text;
+  for (int axis = 0; axis < dim; ++axis) text += (axis ? ", " : "") + number_text(point[axis]);
+  return text;
+}
+
+std::string side_name(int axis, bool upper) { return std::string(axis_names[axis]) + (upper ? "_upper" : "_lower"); }
+
+void check_inside(const Box& box, const std::array<double, max_dim>& point, const std::string& key) {
+  for (int axis = 0; axis < box.dim; ++axis) {
+    if (point[axis] >= box.lower(axis) && point[axis] <= box.upper(axis)) continue;
+    throw InputError(key, point_text(point, box.dim),
+                     std::string("a point in the box, which along axis ") + axis_names[axis] + " is from " +
+                         number_text(box.lower(axis)) + " to " + number_text(box.upper(axis)) + " m");
+  }
+}
+
+/// The middles between the distinct values of `cuts` that lie in (lower, upper).
+std::vector<double> middles(std::set<double> cuts, double lower, double upper) {
+  cuts.insert({lower, upper});
+  std::vector<double> points;
+  for (auto cut = cuts.lower_bound(lower); *cut < upper; ++cut) points.push_back(0.5 * (*cut + *std::next(cut)));
+  return points;
+}
+
+bool holds_at(const Segment& segment, const std::array<double, max_dim>& point, int dim, double time) {
+  if (time < segment.condition.from || time > segment.condition.until) return false;
+  for (int axis = 0; axis < dim; ++axis) {
+    if (axis == segment.axis) continue;
+    if (point[axis] < segment.patch.lower[axis] || point[axis] > segment.patch.upper[axis]) return false;
+  }
+  return true;
+}
+
+/// Sample points of a side: one in each rectangle that the edges of its segments cut out.
+std::vector<std::array<double, max_dim>> side_samples(const Box& box, int normal,
+                                                      const std::vector<Segment>& segments) {
+  std::vector<std::array<double, max_dim>> points{{}};
+  for (int axis = 0; axis < box.dim; ++axis) {
+    if (axis == normal) continue;
+    std::set<double> cuts;
+    for (const Segment& segment : segments) cuts.insert({segment.patch.lower[axis], segment.patch.upper[axis]});
+    std::vector<std::array<double, max_dim>> refined;
+    for (const double coordinate : middles(cuts, box.lower(axis), box.upper(axis))) {
+      for (auto point : points) {
+        point[axis] = coordinate;
+        refined.push_back(point);
+      }
+    }
+    points = refined;
+  }
+  return points;
+}
+
+void check_covered(const Box& box, int axis, bool upper, const std::vector<Segment>& segments, double end_time) {
+  const std::string side = side_name(axis, upper);
+  if (segments.empty())
+    throw InputError("side " + side, "",
+                     "segments boundary_<name>_side " + side + " that cover it, or periodic " + axis_names[axis]);
+  std::set<double> cuts;
+  for (const Segment& segment : segments) cuts.insert({segment.condition.from, segment.condition.until});
+  for (const double time : middles(cuts, 0.0, end_time > 0 ? end_time : 1.0)) {
+    for (const auto& point : side_samples(box, axis, segments)) {
+      const bool covered = std::any_of(segments.begin(), segments.end(),
+                                       [&](const Segment& s) { return holds_at(s, point, box.dim, time); });
+      if (covered) continue;
+      auto place = point;
+      place[axis] = upper ? box.upper(axis) : box.lower(axis);
+      throw InputError("side " + side, "",
+                       "segments that cover all of it at all times; none holds at (" + point_text(place, box.dim) +
+                           ") m at time " + number_text(time) + " s");
+    }
+  }
+}
+
+void check_boundaries(const Case& scene) {
+  const Box& box = scene.box;
+  for (const Segment& segment : scene.segments) {
+    const std::string key = "boundary_" + segment.condition.name;
+    if (box.periodic[segment.axis])
+      throw InputError(key + "_side", side_name(segment.axis, segment.upper), "a side of an axis that is not periodic");
+    if (!(segment.condition.from < segment.condition.until))
+      throw InputError(key + "_until", number_text(segment.condition.until) + " s",
+                       "a time after " + key + "_from = " + number_text(segment.condition.from) + " s");
+  }
+  for (int axis = 0; axis < box.dim; ++axis) {
+    for (const bool upper : {false, true}) {
+      if (box.periodic[axis]) continue;
+      std::vector<Segment> segments;
+      std::copy_if(scene.segments.begin(), scene.segments.end(), std::back_inserter(segments),
+                   [&](const Segment& s) { return s.axis == axis && s.upper == upper; });
+      check_covered(box, axis, upper, segments, scene.time.end_time);
+    }
+  }
+}
+
+void check_plates(const Case& scene) {
+  for (const Plate& plate : scene.plates) {
+    const std::string key = "plate_" + plate.condition.name + "_";
+    const double lower = scene.box.lower(plate.axis), upper = scene.box.upper(plate.axis);
+    if (!(plate.position > lower && plate.position < upper))
+      throw InputError(key + "position", number_text(plate.position) + " m",
+                       "a grid plane inside the box, between " + number_text(lower) + " and " + number_text(upper) +
+                           " m; use boundary_<name> for its sides");
+    if (plate.condition.velocity[plate.axis] != 0)
+      throw InputError(key + "velocity", point_text(plate.condition.velocity, scene.box.dim),
+                       "a velocity in the plane of the plate");
+  }
+}
+
+void check_region(const Case& scene, const InitialRegion& region) {
+  const std::string key = "initial_" + region.name + "_";
+  for (int axis = 0; axis < scene.box.dim; ++axis) {
+    if (!(region.lower[axis] < region.upper[axis]))
+      throw InputError(key + "box", number_text(region.lower[axis]) + ", " + number_text(region.upper[axis]),
+                       std::string("lower below upper, inside the box, along axis ") + axis_names[axis]);
+  }
+  if (!region.table.empty() && !std::ifstream(region.table))
+    throw InputError(key + "table", region.table, "a file that can be read");
+  if (region.profile != InitialRegion::Profile::equilibrium) return;
+  if (!region.table.empty()) throw InputError(key + "table", region.table, "no table where profile is equilibrium");
+  const auto& g = scene.model.gravity;
+  if (std::count_if(g.begin(), g.end(), [](double component) { return component != 0; }) != 1)
+    throw InputError(key + "profile", "equilibrium",
+                     "gravity along one axis, but gravity is " + point_text(g, scene.box.dim));
+  if (scene.friction.model == FrictionModel::none)
+    throw InputError(key + "profile", "equilibrium",
+                     "a friction_model other than none, for p_c (18) carries the column");
+}
+
+void check_friction(const FrictionParameters& friction) {
+  const bool with_chi = friction.model == FrictionModel::relaxed || friction.model == FrictionModel::instantaneous;
+  if (with_chi && !(friction.n_dilation > 1))
+    throw InputError("friction_exponent_dilation", number_text(friction.n_dilation),
+                     "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");
+}
+
+void check_time(const TimeParameters& time) {
+  if (!time.adaptive) return;
+  const std::string initial = number_text(time.step_initial) + " s";
+  if (time.step_min > time.step_initial)
+    throw InputError("time_step_initial", initial, "at least time_step_min = " + number_text(time.step_min) + " s");
+  if (time.step_max < time.step_initial)
+    throw InputError("time_step_initial", initial, "at most time_step_max = " + number_text(time.step_max) + " s");
+}
+
+void check_output(const Case& scene) {
+  for (const Probe& probe : scene.probes) check_inside(scene.box, probe.point, "probe_" + probe.name + "_point");
+  for (const Line& line : scene.lines) {
+    check_inside(scene.box, line.from, "line_" + line.name + "_from");
+    check_inside(scene.box, line.to, "line_" + line.name + "_to");
+    if (line.from == line.to)
+      throw InputError("line_" + line.name + "_to", point_text(line.to, scene.box.dim), "a point other than its from");
+  }
+  if (scene.output.directory.empty()) throw InputError("output_dir", "", "a directory");
+}
+
+}  // namespace
+
+void check_case(const Case& scene) {
+  check_friction(scene.friction);
+  check_time(scene.time);
+  check_boundaries(scene);
+  check_plates(scene);
+  for (const InitialRegion& region : scene.initial) check_region(scene, region);
+  check_output(scene);
+}
+
+}  // namespace scree

@@ -1,0 +1,55 @@
+#include <cmath>
+
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+
+void declare_friction(OptionSet& o, FrictionParameters& friction) {
+  o.group("friction");
+  o.choice("friction_model", friction.model,
+           {{"none", FrictionModel::none},
+            {"critical_state", FrictionModel::critical_state},
+            {"instantaneous", FrictionModel::instantaneous},
+            {"relaxed", FrictionModel::relaxed}},
+           "frictional stress: absent, (22), (20) with chi = chi* (21), (20) with (23)");
+  const bool some = friction.model != FrictionModel::none;
+  const bool with_chi = friction.model == FrictionModel::relaxed || friction.model == FrictionModel::instantaneous;
+  const std::string absent = "friction_model is none";
+  const std::string no_chi = "friction_model is neither relaxed nor instantaneous";
+
+  o.real("friction_tau", friction.tau, "s", positive(), "relaxation time of chi, eq. (23)")
+      .symbol("tau")
+      .used_if(friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+  o.real("friction_angle", friction.phi, "rad", positive_angle(), "angle of internal friction, eq. (14)")
+      .symbol("phi")
+      .used_if(some, absent);
+  friction.n_dilation = std::sqrt(3.0) / (2 * std::sin(friction.phi));
+  o.real("friction_exponent_dilation", friction.n_dilation, "-", greater_than_one(), "n of (14) where div v >= 0")
+      .symbol("n")
+      .default_from("sqrt(3)/(2 sin friction_angle)")
+      .used_if(with_chi, no_chi);
+  o.real("friction_exponent_compaction", friction.n_compaction, "-", greater_than_one(), "n of (14) where div v < 0")
+      .symbol("n")
+      .used_if(with_chi, no_chi);
+  o.real("friction_pressure_constant", friction.F, "Pa", positive(), "constant of p_c, eq. (18)")
+      .symbol("F")
+      .used_if(some, absent);
+  o.real("friction_pressure_exponent_r", friction.r, "-", positive(), "exponent of nu - nu_min in (18)")
+      .symbol("r")
+      .used_if(some, absent);
+  o.real("friction_pressure_exponent_s", friction.s, "-", positive(), "exponent of nu_max - nu in (18)")
+      .symbol("s")
+      .used_if(some, absent);
+  o.real("friction_solids_fraction_min", friction.nu_min, "-", from_zero_below(friction.nu_max, "solids_fraction_max"),
+         "solids fraction from which friction acts, eq. (18)")
+      .symbol("nu_min")
+      .used_if(some, absent);
+  o.boolean("friction_strain_rate_fluctuation", friction.strain_rate_fluctuation,
+            "S:S + T/d^2 as in (20)-(22); no: S:S as in (15)-(17)")
+      .used_if(some, absent);
+  o.real("friction_strain_rate_floor", friction.strain_rate_floor, "1/s", non_negative(),
+         "floor^2 is added under sqrt(S:S + T/d^2)")
+      .used_if(some, absent);
+}
+
+}  // namespace scree

@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+void declare_blocks(OptionSet& o, int axis, int dim, GridInput::Blocks& blocks) {
+  const std::string key = std::string("grid_") + axis_names[axis] + "_";
+  const std::string no_axis = "dimension is " + std::to_string(dim);
+  const bool used = o.describing() || axis < dim;
+  const std::string name = axis_names[axis];
+  o.reals(key + "edges", blocks.edges, {0, false, "ascending"}, "m", any_number(),
+          "edges of the blocks of cells along " + name + ", in place of extent, origin and grid_cells")
+      .unset_by_default("none")
+      .used_if(used, no_axis);
+  const bool has_edges = o.describing() || !blocks.edges.empty();
+  const std::string no_edges = key + "edges is not given";
+  o.integers(key + "cells", blocks.cells, {0, false, "one per block"}, 1, "cells of each block along " + name)
+      .unset_by_default("none")
+      .used_if(has_edges, no_edges);
+  o.reals(key + "ratio", blocks.ratios, {0, false, "one per block"}, "-", positive(),
+          "last over first cell size of each block along " + name + ", geometric in between")
+      .unset_by_default("1")
+      .used_if(has_edges, no_edges);
+}
+
+/// Appends the faces of a block behind its lower edge, which is there already; sizes grow geometrically from 1 to
+/// `ratio`.
+void append_block(std::vector<double>& faces, double lower, double upper, int cells, double ratio) {
+  const double growth = cells > 1 ? std::pow(ratio, 1.0 / (cells - 1)) : 1.0;
+  const bool uniform = std::abs(growth - 1) < 1e-14;
+  for (int i = 1; i < cells; ++i) {
+    const double length = upper - lower;
+    const double part =
+        uniform ? length * i / cells : length * std::expm1(i * std::log(growth)) / std::expm1(cells * std::log(growth));
+    faces.push_back(lower + part);
+  }
+  faces.push_back(upper);
+}
+
+template <class List>
+void check_length(const std::string& key, const List& list, std::size_t length, const std::string& why) {
+  if (list.size() == length) return;
+  const std::string given = list.empty() ? "" : std::to_string(list.size()) + " entries";
+  throw InputError(key, given, std::to_string(length) + (length == 1 ? " entry, " : " entries, ") + why);
+}
+
+std::vector<double> faces_of_blocks(const std::string& axis, GridInput::Blocks blocks, int refine) {
+  const std::string key = "grid_" + axis + "_";
+  if (blocks.edges.size() < 2) throw InputError(key + "edges", number_text(blocks.edges[0]), "at least two edges");
+  const std::size_t count = blocks.edges.size() - 1;
+  check_length(key + "cells", blocks.cells, count, "one fewer than " + key + "edges has");
+  if (blocks.ratios.empty()) blocks.ratios.assign(count, 1.0);
+  check_length(key + "ratio", blocks.ratios, count, "one fewer than " + key + "edges has");
+  std::vector<double> faces{blocks.edges[0]};
+  for (std::size_t b = 0; b < count; ++b) {
+    if (!(blocks.edges[b + 1] > blocks.edges[b]))
+      throw InputError(key + "edges", number_text(blocks.edges[b + 1]),
+                       "ascending edges, so more than " + number_text(blocks.edges[b]));
+    append_block(faces, blocks.edges[b], blocks.edges[b + 1], blocks.cells[b] * refine, blocks.ratios[b]);
+  }
+  return faces;
+}
+
+std::vector<double> faces_of_axis(const GridInput& grid, int axis) {
+  const GridInput::Blocks& blocks = grid.blocks[axis];
+  if (!blocks.edges.empty()) return faces_of_blocks(axis_names[axis], blocks, grid.refine);
+  const std::size_t dim = static_cast<std::size_t>(grid.dim);
+  check_length("extent", grid.extent, dim, "one length per axis");
+  check_length("grid_cells", grid.cells, dim, "one number of cells per axis");
+  const double origin = grid.origin.empty() ? 0.0 : grid.origin[axis];
+  std::vector<double> faces{origin};
+  append_block(faces, origin, origin + grid.extent[axis], grid.cells[axis] * grid.refine, 1.0);
+  return faces;
+}
+
+void set_periodic(Box& box, const std::vector<std::string>& axes) {
+  for (const std::string& letter : axes) {
+    const auto* axis = std::find(axis_names, axis_names + box.dim, letter);
+    if (axis == axis_names + box.dim) {
+      if (letter == "none" && axes.size() == 1) return;
+      throw InputError("periodic", letter, "axes of this case (x, y, z up to its dimension) or none");
+    }
+    box.periodic[static_cast<std::size_t>(axis - axis_names)] = true;
+  }
+}
+
+}  // namespace
+
+OptionSet::Choices<int> axis_choices(const OptionSet& o, int dim) {
+  OptionSet::Choices<int> choices;
+  for (int axis = 0; axis < (o.describing() ? max_dim : dim); ++axis) choices.push_back({axis_names[axis], axis});
+  return choices;
+}
+
+Patch patch_from(const std::vector<double>& coordinates, int normal, int dim, std::size_t first) {
+  Patch patch;
+  if (coordinates.empty()) return patch;
+  for (int axis = 0; axis < dim; ++axis) {
+    if (axis == normal) continue;
+    patch.lower[axis] = coordinates[first++];
+    patch.upper[axis] = coordinates[first++];
+  }
+  return patch;
+}
+
+void declare_grid(OptionSet& o, GridInput& grid) {
+  o.group("grid");
+  o.choice("dimension", grid.dim, {{"1", 1}, {"2", 2}, {"3", 3}}, "number of axes");
+  const std::size_t dim = static_cast<std::size_t>(grid.dim);
+  OptionEntry& extent =
+      o.reals("extent", grid.extent, {dim, false, "one per axis"}, "m", positive(), "size of the box");
+  OptionEntry& origin =
+      o.reals("origin", grid.origin, {dim, false, "one per axis"}, "m", any_number(), "lower corner of the box");
+  OptionEntry& cells = o.integers("grid_cells", grid.cells, {dim, false, "one per axis"}, 1, "cells of the box");
+  bool uniform_axis = o.describing();
+  for (int axis = 0; axis < max_dim; ++axis) {
+    declare_blocks(o, axis, grid.dim, grid.blocks[axis]);
+    uniform_axis = uniform_axis || (axis < grid.dim && grid.blocks[axis].edges.empty());
+  }
+  const std::string no_axis = "grid_<axis>_edges is given for all axes";
+  extent.unset_by_default("required without grid_<axis>_edges").used_if(uniform_axis, no_axis);
+  cells.unset_by_default("required without grid_<axis>_edges").used_if(uniform_axis, no_axis);
+  origin.unset_by_default("0").used_if(uniform_axis, no_axis);
+  o.integer("grid_refine", grid.refine, 1, "multiplies all numbers of cells");
+  o.texts("periodic", grid.periodic, "axes, such as 'x' or 'x, y'", "axes along which the box repeats");
+}
+
+Box make_box(const GridInput& grid) {
+  Box box;
+  box.dim = grid.dim;
+  for (int axis = 0; axis < grid.dim; ++axis) box.faces[axis] = faces_of_axis(grid, axis);
+  set_periodic(box, grid.periodic);
+  return box;
+}
+
+}  // namespace scree

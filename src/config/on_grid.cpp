@@ -1,0 +1,59 @@
+#include <cmath>
+#include <cstdio>
+
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+std::string rounded(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+/// `value`, moved onto the nearest grid plane of `axis`; infinite values (the whole side) stay.
+double on_plane(const Box& box, int axis, double value, const std::string& key) {
+  constexpr double tolerance = 1e-6;  // of the cell size
+  if (!std::isfinite(value)) return value;
+  const std::vector<double>& faces = box.faces[axis];
+  const auto nearest = std::min_element(faces.begin(), faces.end(),
+                                        [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
+  const double below = nearest == faces.begin() ? nearest[1] - nearest[0] : nearest[0] - nearest[-1];
+  const double above = nearest + 1 == faces.end() ? below : nearest[1] - nearest[0];
+  if (std::abs(*nearest - value) <= tolerance * std::min(below, above)) return *nearest;
+  throw InputError(key, number_text(value) + " m",
+                   std::string("a grid plane of axis ") + axis_names[axis] + "; the nearest is at " +
+                       rounded(*nearest) + " m (cells there are " + rounded(std::min(below, above)) + " m)");
+}
+
+void put_patch(const Box& box, int normal, Patch& patch, const std::string& key) {
+  for (int axis = 0; axis < box.dim; ++axis) {
+    if (axis == normal) continue;
+    patch.lower[axis] = on_plane(box, axis, patch.lower[axis], key);
+    patch.upper[axis] = on_plane(box, axis, patch.upper[axis], key);
+    if (!(patch.lower[axis] < patch.upper[axis]))
+      throw InputError(key, number_text(patch.lower[axis]) + ", " + number_text(patch.upper[axis]),
+                       std::string("lower below upper along axis ") + axis_names[axis]);
+  }
+}
+
+}  // namespace
+
+void put_on_grid(Case& scene) {
+  const Box& box = scene.box;
+  for (Segment& segment : scene.segments)
+    put_patch(box, segment.axis, segment.patch, "boundary_" + segment.condition.name + "_patch");
+  for (Plate& plate : scene.plates) {
+    const std::string key = "plate_" + plate.condition.name + "_";
+    plate.position = on_plane(box, plate.axis, plate.position, key + "position");
+    put_patch(box, plate.axis, plate.span, key + "span");
+    for (Patch& opening : plate.openings) put_patch(box, plate.axis, opening, key + "openings");
+  }
+  for (FluxPlane& flux : scene.flux_planes) {
+    flux.position = on_plane(box, flux.axis, flux.position, "flux_" + flux.name + "_position");
+    put_patch(box, flux.axis, flux.patch, "flux_" + flux.name + "_patch");
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,26 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+/// Densest packing of equal spheres, pi/sqrt(18), rounded up.
+constexpr double densest_packing = 0.7405;
+
+}  // namespace
+
+void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall) {
+  o.group("particles");
+  o.real("particle_density", kinetic.rho_s, "kg/m3", positive(), "density of the particles' material").symbol("rho_s");
+  o.real("particle_diameter", kinetic.d, "m", positive(), "diameter of the particles").symbol("d");
+  o.real("particle_restitution", kinetic.e_p, "-", above_zero_to_one(),
+         "restitution between particles, eta = (1 + e_p)/2 in (1.1)-(1.6)")
+      .symbol("e_p");
+  o.real("solids_fraction_max", kinetic.nu_max, "-", {0, densest_packing, false, true, "in (0, 0.7405]"},
+         "solids fraction at which (1.7) and (18) diverge")
+      .symbol("nu_max");
+  friction.d = kinetic.d;
+  friction.nu_max = kinetic.nu_max;
+  wall.nu_max = kinetic.nu_max;
+}
+
+}  // namespace scree

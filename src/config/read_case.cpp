@@ -1,0 +1,65 @@
+#include "scree/config/read_case.hpp"
+
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+/// Region boxes as parts of the box of the case.
+void clip_regions(const Box& box, std::vector<InitialRegion>& regions) {
+  for (InitialRegion& region : regions) {
+    for (int axis = 0; axis < max_dim; ++axis) {
+      const bool present = axis < box.dim;
+      region.lower[axis] = present ? std::max(region.lower[axis], box.lower(axis)) : 0.0;
+      region.upper[axis] = present ? std::min(region.upper[axis], box.upper(axis)) : 0.0;
+    }
+  }
+}
+
+OptionSet known_options(const Database& database) {
+  OptionSet known(database, OptionSet::Mode::describe);
+  GridInput grid;
+  Case scene;
+  declare_all(known, grid, scene);
+  return known;
+}
+
+}  // namespace
+
+void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
+  declare_grid(o, grid);
+  declare_model(o, grid.dim, scene.model);
+  declare_particles(o, scene.kinetic, scene.friction, scene.wall);
+  declare_friction(o, scene.friction);
+  declare_wall(o, scene.wall);
+  scene.segments = declare_boundaries(o, grid, scene);
+  scene.plates = declare_plates(o, grid, scene);
+  scene.initial = declare_initial(o, grid, scene);
+  declare_time(o, scene.time);
+  declare_output(o, grid, scene);
+  declare_solver(o, scene);
+}
+
+Case read_case() {
+  const Database database;
+  check_keys(database, known_options(database));
+
+  OptionSet options(database, OptionSet::Mode::read);
+  GridInput grid;
+  Case scene;
+  declare_all(options, grid, scene);
+  options.check_required();
+
+  scene.box = make_box(grid);
+  put_on_grid(scene);
+  clip_regions(scene.box, scene.initial);
+  check_case(scene);
+
+  scene.effective_yaml = effective_yaml(database, options);
+  scene.remarks = unused_remarks(database, options);
+  for (const auto& [key, value] : database.entries())
+    if (database.is_definition(key) || !is_petsc_option(key)) database.mark_used(key);
+  return scene;
+}
+
+}  // namespace scree

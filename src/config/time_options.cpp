@@ -1,0 +1,21 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+
+void declare_time(OptionSet& o, TimeParameters& time) {
+  o.group("time");
+  o.choice("time_scheme", time.scheme,
+           {{"beuler", TimeScheme::beuler}, {"bdf", TimeScheme::bdf}, {"arkimex", TimeScheme::arkimex}},
+           "backward Euler, BDF of order 2, stiffly accurate implicit Runge-Kutta");
+  o.real("end_time", time.end_time, "s", non_negative(), "time at which the run ends");
+  o.real("accuracy", time.accuracy, "-", {0, 1, false, false, "in (0, 1)"},
+         "relative local error that a step may make");
+  o.boolean("time_step_adaptive", time.adaptive, "no: all steps are time_step_initial");
+  o.real("time_step_initial", time.step_initial, "s", positive(), "first step");
+  const std::string fixed = "time_step_adaptive is no";
+  o.real("time_step_min", time.step_min, "s", positive(), "the run ends with an error below this step")
+      .used_if(time.adaptive, fixed);
+  o.real("time_step_max", time.step_max, "s", positive(), "longest step").used_if(time.adaptive, fixed);
+}
+
+}  // namespace scree

@@ -1,0 +1,90 @@
+#include "scree/grid/lattice.hpp"
+
+namespace scree {
+
+Axis::Axis(const std::vector<double>& faces, bool periodic)
+    : cells_(static_cast<int>(faces.size()) - 1), periodic_(periodic) {
+  const int entries = cells_ + 2 * halo + 1;
+  width_.resize(entries);
+  distance_.resize(entries);
+  face_.resize(entries);
+  lower_share_.resize(entries);
+  const auto width_of = [&](int i) {
+    while (i < 0 || i >= cells_) {
+      if (periodic)
+        i += i < 0 ? cells_ : -cells_;
+      else
+        i = i < 0 ? -1 - i : 2 * cells_ - 1 - i;
+    }
+    return faces[i + 1] - faces[i];
+  };
+  for (int i = -halo; i <= cells_ + halo; ++i) {
+    const double below = width_of(i - 1), here = width_of(i);
+    width_[i + halo] = here;
+    distance_[i + halo] = 0.5 * (below + here);
+    lower_share_[i + halo] = below / (below + here);
+  }
+  for (int i = 0; i <= cells_; ++i) face_[i + halo] = faces[i];
+  for (int i = -1; i >= -halo; --i) face_[i + halo] = face_[i + 1 + halo] - width_[i + halo];
+  for (int i = cells_ + 1; i <= cells_ + halo; ++i) face_[i + halo] = face_[i - 1 + halo] + width_[i - 1 + halo];
+}
+
+Lattice::Lattice(const Box& box, DM dm) : dim(box.dim) {
+  for (int axis = 0; axis < max_dim; ++axis)
+    axes[axis] = axis < dim ? Axis(box.faces[axis], box.periodic[axis]) : Axis({0.0, 1.0}, false);
+  DMDAGetCorners(dm, &owned_first[0], &owned_first[1], &owned_first[2], &owned_count[0], &owned_count[1],
+                 &owned_count[2]);
+  DMDAGetGhostCorners(dm, &ghosted_first[0], &ghosted_first[1], &ghosted_first[2], &ghosted_count[0],
+                      &ghosted_count[1], &ghosted_count[2]);
+}
+
+bool Lattice::is_owned(const Index& I) const {
+  for (int axis = 0; axis < max_dim; ++axis)
+    if (I[axis] < owned_first[axis] || I[axis] >= owned_first[axis] + owned_count[axis]) return false;
+  return true;
+}
+
+bool Lattice::is_ghosted(const Index& I) const {
+  for (int axis = 0; axis < max_dim; ++axis)
+    if (I[axis] < ghosted_first[axis] || I[axis] >= ghosted_first[axis] + ghosted_count[axis]) return false;
+  return true;
+}
+
+bool Lattice::inside(const Index& I) const {
+  for (int axis = 0; axis < dim; ++axis)
+    if (!axes[axis].periodic() && (I[axis] < 0 || I[axis] >= axes[axis].cells())) return false;
+  return true;
+}
+
+bool Lattice::is_face(int axis, const Index& I) const { return inside(I) || inside(I - unit(axis)); }
+
+double Lattice::volume(const Index& I) const {
+  double volume = 1;
+  for (int axis = 0; axis < dim; ++axis) volume *= axes[axis].width(I[axis]);
+  return volume;
+}
+
+PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
+  PetscFunctionBeginUser;
+  DMBoundaryType ends[max_dim];
+  PetscInt nodes[max_dim] = {1, 1, 1};
+  for (int axis = 0; axis < max_dim; ++axis) {
+    const bool periodic = axis < box.dim && box.periodic[axis];
+    ends[axis] = periodic ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_GHOSTED;
+    if (axis < box.dim) nodes[axis] = box.cells(axis) + (periodic ? 0 : 1);
+  }
+  if (box.dim == 1)
+    PetscCall(DMDACreate1d(comm, ends[0], nodes[0], unknowns, stencil_width, nullptr, dm));
+  else if (box.dim == 2)
+    PetscCall(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, nodes[0], nodes[1], PETSC_DECIDE, PETSC_DECIDE,
+                           unknowns, stencil_width, nullptr, nullptr, dm));
+  else
+    PetscCall(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, nodes[0], nodes[1], nodes[2],
+                           PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, unknowns, stencil_width, nullptr, nullptr,
+                           nullptr, dm));
+  PetscCall(DMSetFromOptions(*dm));
+  PetscCall(DMSetUp(*dm));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree

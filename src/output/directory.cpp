@@ -1,0 +1,94 @@
+#include "scree/output/directory.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "scree/output/errors.hpp"
+
+namespace scree {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Files that a run has written into a directory; all others are left alone.
+std::vector<fs::path> files_of_run(const fs::path& directory) {
+  std::vector<fs::path> files;
+  for (const char* name : {"monitor.csv", "summary.json", "fields.xdmf"}) {
+    if (fs::exists(directory / name)) files.push_back(directory / name);
+  }
+  for (const char* name : {"fields", "checkpoints", "lines"}) {
+    if (!fs::is_directory(directory / name)) continue;
+    for (const auto& entry : fs::directory_iterator(directory / name)) {
+      const std::string stem = entry.path().stem().string(), extension = entry.path().extension().string();
+      const bool csv = extension == ".csv" && is_number(stem.substr(stem.find_last_of('_') + 1));
+      if (csv || (extension == ".h5" && is_number(stem))) files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path a = fs::weakly_canonical(inner), b = fs::weakly_canonical(outer);
+  const auto [left, right] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  (void)left;
+  return right == b.end() || (right->empty() && std::next(right) == b.end());
+}
+
+void create_and_try(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) {
+    throw std::runtime_error("cannot create output directory '" + directory.string() + "': " + error.message());
+  }
+  const std::string trial = (directory / ".scree_write_test").string();
+  std::FILE* file = std::fopen(trial.c_str(), "w");
+  bool written = file && std::fputs("test\n", file) >= 0;
+  int code = errno;
+  if (file && std::fclose(file) != 0) {
+    written = false;
+    code = errno;
+  }
+  std::remove(trial.c_str());
+  if (!written) {
+    throw std::runtime_error("cannot write into output directory '" + directory.string() + "': " + std::strerror(code));
+  }
+}
+
+void prepare(const fs::path& directory, const std::string& restart, bool overwrite) {
+  if (fs::exists(directory) && !fs::is_directory(directory)) {
+    throw std::runtime_error("output directory '" + directory.string() + "' is a file");
+  }
+  const bool goes_on = !restart.empty() && fs::exists(directory) && lies_in(restart, directory);
+  const std::vector<fs::path> old = files_of_run(directory);
+  if (!goes_on && !old.empty() && !overwrite) {
+    throw std::runtime_error("output directory '" + directory.string() + "' already holds a run (" +
+                             fs::relative(old.front(), directory).string() +
+                             "): name another, restart from it, or allow to overwrite it");
+  }
+  if (old.empty() && fs::exists(directory / "case.yaml")) {
+    throw std::runtime_error("output directory '" + directory.string() +
+                             "' holds a case.yaml that no run has written: name another");
+  }
+  create_and_try(directory);
+  if (goes_on) return;
+  for (const fs::path& file : old) fs::remove(file);
+}
+
+}  // namespace
+
+void prepare_directory(MPI_Comm comm, const std::string& path, const std::string& restart, bool overwrite) {
+  on_first_rank(comm, [&] { prepare(fs::path(path), restart, overwrite); });
+}
+
+}  // namespace scree

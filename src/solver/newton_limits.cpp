@@ -1,0 +1,71 @@
+#include "scree/solver/newton_limits.hpp"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+/// `target` moved into [lower, upper]; counts if it had to move.
+double bounded(double target, double lower, double upper, long& limited) {
+  const double result = std::min(std::max(target, lower), upper);
+  if (result != target) ++limited;
+  return result;
+}
+
+}  // namespace
+
+NewtonLimits::NewtonLimits(const DiscreteProblem& problem)
+    : problem_(problem), nu_max_(problem.setup().solids.friction.nu_max),
+      chi_max_(maximum_chi(problem.setup().solids.friction)) {
+  for (const Field& field : problem.model().fields()) {
+    if (field.symbol == "nu") nu_ = field.component;
+    if (field.symbol == "T") T_ = field.component;
+    if (field.symbol == "chi") chi_ = field.component;
+  }
+}
+
+PetscErrorCode NewtonLimits::apply(Vec from, Vec target, long* limited) const {
+  PetscFunctionBeginUser;
+  const double* old;
+  double* x;
+  PetscInt size;
+  PetscCall(VecGetLocalSize(target, &size));
+  PetscCall(VecGetArrayRead(from, &old));
+  PetscCall(VecGetArray(target, &x));
+  const int unknowns = problem_.model().unknowns();
+  for (PetscInt node = 0; node < size; node += unknowns) {
+    const double nu = old[node + nu_];
+    x[node + nu_] = bounded(x[node + nu_], 0, nu + 0.7 * (nu_max_ - nu), *limited);
+    if (T_ >= 0) x[node + T_] = bounded(x[node + T_], 0.01 * old[node + T_], PETSC_INFINITY, *limited);
+    if (chi_ >= 0) x[node + chi_] = bounded(x[node + chi_], 0.1 * old[node + chi_], chi_max_, *limited);
+  }
+  PetscCall(VecRestoreArray(target, &x));
+  PetscCall(VecRestoreArrayRead(from, &old));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, PetscBool* changed, void* limits) {
+  PetscFunctionBeginUser;
+  auto& self = *static_cast<NewtonLimits*>(limits);
+  long limited = 0;
+  // The line search goes from state to state - step.
+  PetscCall(VecAYPX(step, -1, state));
+  PetscCall(self.apply(state, step, &limited));
+  PetscCall(VecAYPX(step, -1, state));
+  self.limited_ += limited;
+  long any = limited;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
+  *changed = any > 0 ? PETSC_TRUE : PETSC_FALSE;
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode NewtonLimits::attach(SNES snes) {
+  PetscFunctionBeginUser;
+  SNESLineSearch search;
+  PetscCall(SNESGetLineSearch(snes, &search));
+  PetscCall(SNESLineSearchSetPreCheck(search, pre_check, this));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree

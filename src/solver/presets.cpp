@@ -1,0 +1,77 @@
+#include "scree/solver/presets.hpp"
+
+#include <stdexcept>
+
+namespace scree {
+
+namespace {
+
+std::string component_list(int first, int count) {
+  std::string list;
+  for (int c = first; c < first + count; ++c) list += (c > first ? "," : "") + std::to_string(c);
+  return list;
+}
+
+/// Newton for every preset: full steps that NewtonLimits keeps inside the model, backtracking where the residual grows.
+const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_linesearch_type", "bt"}, {"snes_max_it", "15"}};
+
+/// Factorisation by MUMPS in the nested-dissection ordering of METIS: no iterations to watch; small cases, reference.
+const PetscOptionList direct{{"ksp_type", "preonly"},
+                             {"pc_type", "lu"},
+                             {"pc_factor_mat_solver_type", "mumps"},
+                             {"mat_mumps_icntl_7", "5"},
+                             {"mat_mumps_icntl_14", "60"}};
+
+/// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the right:
+/// left-preconditioned norms converge falsely.
+const PetscOptionList ilu{{"ksp_type", "gmres"},        {"ksp_pc_side", "right"}, {"ksp_gmres_restart", "100"},
+                          {"ksp_max_it", "300"},        {"ksp_rtol", "1e-3"},     {"pc_type", "bjacobi"},
+                          {"sub_ksp_type", "preonly"},  {"sub_pc_type", "ilu"},   {"sub_pc_factor_levels", "1"},
+                          {"sub_pc_factor_shift_type", "nonzero"}};
+
+}  // namespace
+
+PetscOptionList preset_options(const std::string& preset, int unknowns) {
+  PetscOptionList list = newton;
+  const auto append = [&](const PetscOptionList& more) { list.insert(list.end(), more.begin(), more.end()); };
+  if (preset == "direct") {
+    append(direct);
+  } else if (preset == "ilu") {
+    append(ilu);
+  } else if (preset == "fieldsplit") {
+    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG.
+    append({{"ksp_type", "fgmres"},
+            {"ksp_gmres_restart", "60"},
+            {"ksp_max_it", "200"},
+            {"ksp_rtol", "1e-3"},
+            {"pc_type", "fieldsplit"},
+            {"pc_fieldsplit_type", "schur"},
+            {"pc_fieldsplit_schur_fact_type", "full"},
+            {"pc_fieldsplit_schur_precondition", "selfp"},
+            {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
+            {"pc_fieldsplit_1_fields", component_list(0, 1)},
+            {"fieldsplit_0_ksp_type", "gmres"},
+            {"fieldsplit_0_ksp_rtol", "1e-1"},
+            {"fieldsplit_0_ksp_max_it", "10"},
+            {"fieldsplit_0_pc_type", "bjacobi"},
+            {"fieldsplit_0_sub_pc_type", "ilu"},
+            {"fieldsplit_1_ksp_type", "preonly"},
+            {"fieldsplit_1_pc_type", "hypre"}});
+  } else {
+    throw std::invalid_argument("solver preset '" + preset + "'");
+  }
+  return list;
+}
+
+PetscErrorCode apply_preset(const std::string& preset, int unknowns) {
+  PetscFunctionBeginUser;
+  for (const auto& [name, value] : preset_options(preset, unknowns)) {
+    const std::string option = "-" + name;
+    PetscBool set;
+    PetscCall(PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set));
+    if (!set) PetscCall(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
+  }
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree

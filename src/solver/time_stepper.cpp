@@ -1,0 +1,244 @@
+#include "scree/solver/time_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+/// Newton iterations up to which a step counts as easy (it may grow), and from which on as hard (it shrinks).
+constexpr int easy_newton = 4, hard_newton = 8;
+/// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
+constexpr int easy_before_extrapolation = 3;
+constexpr double growth = 1.3, solver_reduction = 0.25;
+
+MPI_Comm comm_of(Vec vector) { return PetscObjectComm(reinterpret_cast<PetscObject>(vector)); }
+
+}  // namespace
+
+TimeStepper::TimeStepper(DiscreteProblem& problem, StepControl control)
+    : problem_(problem), control_(std::move(control)), limits_(problem) {
+  history_.dt_next = control_.step_initial;
+}
+
+TimeStepper::~TimeStepper() {
+  PetscCallAbort(PETSC_COMM_SELF, TSDestroy(&ts_));
+  for (Vec* vector : {&state_, &guess_, &predicted_, &past_[0], &past_[1]})
+    PetscCallAbort(PETSC_COMM_SELF, VecDestroy(vector));
+}
+
+PetscErrorCode TimeStepper::create(double time) {
+  PetscFunctionBeginUser;
+  time_ = time;
+  PetscCall(DMCreateGlobalVector(problem_.dm(), &state_));
+  for (Vec* vector : {&guess_, &predicted_, &past_[0], &past_[1]}) PetscCall(VecDuplicate(state_, vector));
+  PetscCall(make_ts());
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::make_ts() {
+  PetscFunctionBeginUser;
+  PetscCall(TSDestroy(&ts_));
+  PetscCall(TSCreate(comm_of(state_), &ts_));
+  PetscCall(problem_.attach(ts_));
+  if (control_.scheme == "bdf") {
+    PetscCall(TSSetType(ts_, TSBDF));
+    PetscCall(TSBDFSetOrder(ts_, 2));
+  } else if (control_.scheme == "arkimex") {
+    PetscCall(TSSetType(ts_, TSARKIMEX));
+    PetscCall(TSARKIMEXSetType(ts_, TSARKIMEX2E));
+    PetscCall(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE));
+    PetscCall(TSSetEquationType(ts_, TS_EQ_IMPLICIT));
+  } else {
+    PetscCall(TSSetType(ts_, TSBEULER));
+  }
+  TSAdapt adapt;
+  PetscCall(TSGetAdapt(ts_, &adapt));
+  PetscCall(TSAdaptSetType(adapt, TSADAPTNONE));
+  PetscCall(TSAdaptSetScaleSolveFailed(adapt, solver_reduction));
+  PetscCall(TSAdaptSetStepLimits(adapt, control_.step_min, PETSC_MAX_REAL));
+  PetscCall(TSSetMaxSNESFailures(ts_, -1));
+  PetscCall(TSSetMaxStepRejections(ts_, 100));
+  PetscCall(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
+  PetscCall(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));
+  PetscCall(TSSetMaxTime(ts_, PETSC_MAX_REAL));
+  PetscCall(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+  PetscCall(TSSetTime(ts_, time_));
+  PetscCall(TSSetSolution(ts_, state_));
+
+  SNES snes;
+  PetscInt size;
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(VecGetSize(state_, &size));
+  const double root = std::sqrt(static_cast<double>(size));  // tolerances are per unknown, PETSc's norm is a sum
+  PetscCall(SNESSetTolerances(snes, 1e-6 * root, 1e-5, 1e-10, 15, 10000));
+  PetscCall(SNESSetForceIteration(snes, PETSC_TRUE));
+  PetscCall(TSSetFromOptions(ts_));
+  PetscCall(SNESSetConvergenceTest(snes, converged, this, nullptr));
+  PetscCall(SNESSetComputeInitialGuess(snes, first_guess, this));
+  PetscCall(limits_.attach(snes));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::set_time(double time) {
+  PetscFunctionBeginUser;
+  time_ = time;
+  PetscCall(TSSetTime(ts_, time));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::restart_after_event() {
+  PetscFunctionBeginUser;
+  history_.dt_past = {0, 0};
+  history_.easy_steps = 0;
+  history_.dt_next = std::min(history_.dt_next, control_.step_initial);
+  PetscCall(make_ts());
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
+  PetscFunctionBeginUser;
+  auto& self = *static_cast<TimeStepper*>(stepper);
+  SNESConvergedReason reason;
+  PetscCall(SNESGetConvergedReason(snes, &reason));
+  if (reason < 0) self.last_failure_ = SNESConvergedReasons[reason];
+
+  if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 &&
+      self.history_.easy_steps >= easy_before_extrapolation) {
+    double dt;
+    PetscCall(TSGetTimeStep(self.ts_, &dt));
+    const double ratio = dt / self.history_.dt_past[0];
+    PetscCall(VecAXPBYPCZ(guess, 1 + ratio, -ratio, 0, self.guess_, self.past_[0]));
+  }
+  long limited = 0;
+  PetscCall(self.limits_.apply(self.guess_, guess, &limited));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x_norm, PetscReal step_norm,
+                                      PetscReal f_norm, SNESConvergedReason* reason, void* stepper) {
+  PetscFunctionBeginUser;
+  PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
+  if (*reason > 0) PetscCall(static_cast<TimeStepper*>(stepper)->correct_continuity(snes));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::correct_continuity(SNES snes) {
+  PetscFunctionBeginUser;
+  Vec state, residual;
+  PetscCall(SNESGetSolution(snes, &state));
+  PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
+  PetscCall(problem_.correct_continuity(state, residual, &attempt_imbalance_));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::local_error(double dt, double* error) {
+  PetscFunctionBeginUser;
+  *error = 0;
+  const auto [d1, d2] = history_.dt_past;
+  const bool second_order = control_.scheme != "beuler";
+  if (d1 <= 0 || (second_order && d2 <= 0)) PetscFunctionReturn(0);
+  double share;  // of the difference to the extrapolation that is the error of the scheme
+  if (!second_order) {
+    PetscCall(VecAXPBYPCZ(predicted_, 1 + dt / d1, -dt / d1, 0, guess_, past_[0]));
+    share = dt / (dt + d1);
+  } else {  // Lagrange's polynomial through 0, -d1, -d1-d2 at dt
+    const double s = d1 + d2;
+    PetscCall(VecAXPBYPCZ(predicted_, (dt + d1) * (dt + s) / (d1 * s), -dt * (dt + s) / (d1 * d2), 0, guess_, past_[0]));
+    PetscCall(VecAXPY(predicted_, dt * (dt + d1) / (s * d2), past_[1]));
+    share = dt / (dt + s);
+  }
+  PetscCall(VecAXPY(predicted_, -1, state_));
+  PetscInt size;
+  PetscCall(VecGetSize(state_, &size));
+  PetscCall(VecNorm(predicted_, NORM_2, error));
+  *error *= share / std::sqrt(static_cast<double>(size)) / control_.accuracy;
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
+  PetscFunctionBeginUser;
+  PetscInt newton[2], krylov[2], failures[2];
+  const auto count = [&](int k) {
+    PetscFunctionBeginUser;
+    PetscCall(TSGetSNESIterations(ts_, &newton[k]));
+    PetscCall(TSGetKSPIterations(ts_, &krylov[k]));
+    PetscCall(TSGetSNESFailures(ts_, &failures[k]));
+    PetscFunctionReturn(0);
+  };
+  PetscCall(count(0));
+  last_failure_.clear();
+  PetscCall(TSSetTimeStep(ts_, dt));
+  PetscCall(TSStep(ts_));
+  PetscCall(count(1));
+  report->newton += static_cast<int>(newton[1] - newton[0]);
+  report->krylov += static_cast<int>(krylov[1] - krylov[0]);
+  report->rejected_solver += static_cast<int>(failures[1] - failures[0]);
+  if (failures[1] > failures[0]) report->reason = last_failure_;
+
+  TSConvergedReason reason;
+  PetscCall(TSGetConvergedReason(ts_, &reason));
+  if (reason < 0) {
+    report->failed = *done = true;
+    PetscCall(VecCopy(guess_, state_));
+    PetscFunctionReturn(0);
+  }
+  double reached;
+  PetscCall(TSGetTime(ts_, &reached));
+  report->dt = reached - time_;
+  PetscCall(local_error(report->dt, &report->error));
+  *done = !control_.adaptive || report->error <= 1 || report->dt <= 2 * control_.step_min;
+  if (*done) {
+    report->time = reached;
+  } else {
+    ++report->rejected_error;
+    PetscCall(TSRollBack(ts_));
+    PetscCall(VecCopy(guess_, state_));
+  }
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
+  PetscFunctionBeginUser;
+  *report = StepReport();
+  limits_.reset();
+  PetscCall(VecCopy(state_, guess_));  // guess_ holds the state at the start of the step
+  double dt = control_.adaptive ? history_.dt_next : control_.step_initial;
+  const double planned = dt;
+  const double left = limit - time_;
+  if (dt >= left * (1 - 1e-9)) dt = left;
+  else if (2 * dt > left && control_.adaptive) dt = left / 2;
+  const bool cut = dt < planned;
+  for (bool done = false; !done;) {
+    PetscCall(attempt(dt, report, &done));
+    if (!done) dt = std::max(control_.step_min, report->dt * std::max(0.3, 0.8 / std::sqrt(report->error)));
+  }
+  report->limited = limits_.limited();
+  if (report->failed) PetscFunctionReturn(0);
+  report->imbalance = attempt_imbalance_ * report->dt;
+
+  time_ = report->time;
+  std::swap(past_[0], past_[1]);
+  PetscCall(VecCopy(guess_, past_[0]));
+  history_.dt_past = {report->dt, history_.dt_past[0]};
+  choose_next_step(report->dt, *report);
+  if (cut && report->rejected_solver + report->rejected_error == 0)
+    history_.dt_next = std::max(history_.dt_next, planned);  // the cut was ours, not the solution's
+  PetscFunctionReturn(0);
+}
+
+void TimeStepper::choose_next_step(double dt, const StepReport& report) {
+  const bool failed = report.rejected_solver > 0;
+  const bool easy = !failed && report.newton <= easy_newton;
+  history_.easy_steps = easy ? history_.easy_steps + 1 : 0;
+  double factor = growth;
+  if (failed || report.newton >= hard_newton)
+    factor = failed ? 1.0 : 0.8;
+  else if (!easy)
+    factor = 1 + (growth - 1) * (hard_newton - report.newton) / (hard_newton - easy_newton);
+  if (report.error > 0) factor = std::min(factor, 0.9 / std::sqrt(report.error));
+  history_.dt_next = std::clamp(dt * std::max(factor, 0.3), control_.step_min, control_.step_max);
+}
+
+}  // namespace scree
