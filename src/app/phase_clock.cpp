@@ -1,6 +1,7 @@
 #include "scree/app/phase_clock.hpp"
 
 #include <petsclog.h>
+#include <petscts.h>
 #include <sys/resource.h>
 
 #include "scree/output/errors.hpp"
@@ -19,6 +20,10 @@ double cpu_seconds() {
 }  // namespace
 
 PhaseClock::PhaseClock(MPI_Comm comm) : comm_(comm), started_(MPI_Wtime()) {
+  check_petsc(TSInitializePackage(), "logging");  // registers the events of SNES, KSP and PC too
+  check_petsc(SNESInitializePackage(), "logging");
+  check_petsc(KSPInitializePackage(), "logging");
+  check_petsc(PCInitializePackage(), "logging");
   check_petsc(PetscLogDefaultBegin(), "logging");
   const char* names[] = {"SNESFunctionEval", "SNESJacobianEval", "PCSetUp", "PCSetUpOnBlocks", "KSPSolve"};
   for (std::size_t k = 0; k < events_.size(); ++k)

@@ -15,7 +15,16 @@ namespace scree {
 namespace {
 
 const char* name_of(SolverPreset preset) {
-  return preset == SolverPreset::direct ? "direct" : preset == SolverPreset::ilu ? "ilu" : "fieldsplit";
+  switch (preset) {
+    case SolverPreset::direct:
+      return "direct";
+    case SolverPreset::ilu:
+      return "ilu";
+    case SolverPreset::multigrid:
+      return "multigrid";
+    default:
+      return "fieldsplit";
+  }
 }
 
 const char* name_of(TimeScheme scheme) {
@@ -258,6 +267,7 @@ void Simulation::write_checkpoint() {
        {"next_fields", next_fields_},
        {"next_checkpoint", next_checkpoint_}},
       {{"case", scene_.effective_yaml}});
+  check_petsc(stepper_->forget_preconditioner(), "checkpoint");
 }
 
 void Simulation::write_summary(const std::string& end) {

@@ -5,7 +5,7 @@ namespace scree {
 void declare_solver(OptionSet& o, Case& scene) {
   o.group("solver");
   o.choice("solver", scene.solver.preset,
-           {{"direct", SolverPreset::direct}, {"ilu", SolverPreset::ilu}, {"fieldsplit", SolverPreset::fieldsplit}},
+           {{"direct", SolverPreset::direct}, {"ilu", SolverPreset::ilu}, {"multigrid", SolverPreset::multigrid}, {"fieldsplit", SolverPreset::fieldsplit}},
            "named set of PETSc options for the linear systems");
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");

@@ -12,11 +12,14 @@ std::string component_list(int first, int count) {
   return list;
 }
 
-/// Newton for every preset: full steps that NewtonLimits keeps inside the model, backtracking where the residual grows.
-const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_linesearch_type", "bt"}, {"snes_max_it", "15"}};
+/// Newton for every preset; the line search is ours unless one is named.
+const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
 
-/// Factorisation by MUMPS in the nested-dissection ordering of METIS: no iterations to watch; small cases, reference.
-const PetscOptionList direct{{"ksp_type", "preonly"},
+/// Factorisation by MUMPS in the nested-dissection ordering of METIS; GMRES around it lets a factorisation serve several
+/// Newton steps. Small cases, reference.
+const PetscOptionList direct{{"ksp_type", "gmres"},
+                             {"ksp_pc_side", "right"},
+                             {"ksp_rtol", "1e-6"},
                              {"pc_type", "lu"},
                              {"pc_factor_mat_solver_type", "mumps"},
                              {"mat_mumps_icntl_7", "5"},
@@ -25,9 +28,28 @@ const PetscOptionList direct{{"ksp_type", "preonly"},
 /// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the right:
 /// left-preconditioned norms converge falsely.
 const PetscOptionList ilu{{"ksp_type", "gmres"},        {"ksp_pc_side", "right"}, {"ksp_gmres_restart", "100"},
-                          {"ksp_max_it", "300"},        {"ksp_rtol", "1e-3"},     {"pc_type", "bjacobi"},
+                          {"ksp_max_it", "300"},        {"ksp_rtol", "1e-2"},     {"pc_type", "bjacobi"},
                           {"sub_ksp_type", "preonly"},  {"sub_pc_type", "ilu"},   {"sub_pc_factor_levels", "1"},
                           {"sub_pc_factor_shift_type", "nonzero"}};
+
+/// GMRES with one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
+/// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these, and the
+/// iterations hardly grow with the grid.
+const PetscOptionList multigrid{{"ksp_type", "gmres"},
+                                {"ksp_pc_side", "right"},
+                                {"ksp_gmres_restart", "100"},
+                                {"ksp_max_it", "200"},
+                                {"ksp_rtol", "3e-2"},
+                                {"pc_type", "gamg"},
+                                {"pc_gamg_type", "agg"},
+                                {"pc_gamg_agg_nsmooths", "0"},
+                                {"pc_gamg_reuse_interpolation", "true"},
+                                {"mg_levels_ksp_type", "richardson"},
+                                {"mg_levels_ksp_max_it", "1"},
+                                {"mg_levels_pc_type", "bjacobi"},
+                                {"mg_levels_sub_pc_type", "ilu"},
+                                {"mg_levels_sub_pc_factor_levels", "1"},
+                                {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
 }  // namespace
 
@@ -38,6 +60,8 @@ PetscOptionList preset_options(const std::string& preset, int unknowns) {
     append(direct);
   } else if (preset == "ilu") {
     append(ilu);
+  } else if (preset == "multigrid") {
+    append(multigrid);
   } else if (preset == "fieldsplit") {
     // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG.
     append({{"ksp_type", "fgmres"},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/solver/line_search.hpp"
+
 namespace scree {
 
 namespace {
@@ -12,6 +14,10 @@ constexpr int easy_newton = 4, hard_newton = 8;
 /// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
 constexpr int easy_before_extrapolation = 3;
 constexpr double growth = 1.3, solver_reduction = 0.25;
+/// Residual per unknown at which Newton stops, as a share of the error that a step may make.
+constexpr double newton_share = 1e-3;
+/// Change of dt that makes a preconditioner stale.
+constexpr double most_step_change = 1.5;
 
 MPI_Comm comm_of(Vec vector) { return PetscObjectComm(reinterpret_cast<PetscObject>(vector)); }
 
@@ -50,6 +56,8 @@ PetscErrorCode TimeStepper::make_ts() {
     PetscCall(TSARKIMEXSetType(ts_, TSARKIMEX2E));
     PetscCall(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE));
     PetscCall(TSSetEquationType(ts_, TS_EQ_IMPLICIT));
+    PetscCall(TSSetPreStage(ts_, keep_jacobian));
+    finds_slope_ = true;
   } else {
     PetscCall(TSSetType(ts_, TSBEULER));
   }
@@ -72,12 +80,29 @@ PetscErrorCode TimeStepper::make_ts() {
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(VecGetSize(state_, &size));
   const double root = std::sqrt(static_cast<double>(size));  // tolerances are per unknown, PETSc's norm is a sum
-  PetscCall(SNESSetTolerances(snes, 1e-6 * root, 1e-5, 1e-10, 15, 10000));
+  PetscCall(SNESSetTolerances(snes, newton_share * control_.accuracy * root, 1e-8, 0, 15, 10000));  // stol 0: a failed line search ends with tiny steps
   PetscCall(SNESSetForceIteration(snes, PETSC_TRUE));
   PetscCall(TSSetFromOptions(ts_));
   PetscCall(SNESSetConvergenceTest(snes, converged, this, nullptr));
   PetscCall(SNESSetComputeInitialGuess(snes, first_guess, this));
+  PetscCall(use_guarded_full_steps(snes));
   PetscCall(limits_.attach(snes));
+  PetscFunctionReturn(0);
+}
+
+/// TSARKIMEX finds its first slope with a TS of its own, whose end takes the Jacobian out of the SNES that both share;
+/// SNES would go on with a matrix from the DM, which has other entries than ours.
+PetscErrorCode TimeStepper::keep_jacobian(TS ts, PetscReal) {
+  PetscFunctionBeginUser;
+  SNES snes;
+  Mat A, P;
+  PetscCall(TSGetSNES(ts, &snes));
+  PetscCall(SNESGetJacobian(snes, &A, &P, nullptr, nullptr));
+  if (P) PetscFunctionReturn(0);
+  void* problem;
+  PetscCall(TSGetIJacobian(ts, nullptr, nullptr, nullptr, &problem));
+  P = static_cast<DiscreteProblem*>(problem)->matrix();
+  PetscCall(SNESSetJacobian(snes, P, P, nullptr, nullptr));
   PetscFunctionReturn(0);
 }
 
@@ -93,7 +118,35 @@ PetscErrorCode TimeStepper::restart_after_event() {
   history_.dt_past = {0, 0};
   history_.easy_steps = 0;
   history_.dt_next = std::min(history_.dt_next, control_.step_initial);
+  preconditioner_ = {};
   PetscCall(make_ts());
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode TimeStepper::forget_preconditioner() {
+  PetscFunctionBeginUser;
+  SNES snes;
+  KSP ksp;
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPReset(ksp));
+  preconditioner_ = {};
+  PetscFunctionReturn(0);
+}
+
+/// A preconditioner serves until the step has changed much or it has begun to cost iterations.
+PetscErrorCode TimeStepper::age_preconditioner(double dt) {
+  PetscFunctionBeginUser;
+  PetscBool chosen;
+  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_lag_preconditioner", &chosen));
+  if (chosen) PetscFunctionReturn(0);
+  const auto& p = preconditioner_;
+  const bool stale = p.dt == 0 || dt > most_step_change * p.dt || p.dt > most_step_change * dt ||
+                     p.last_iterations > 1.3 * p.fresh_iterations + 2;
+  SNES snes;
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(SNESSetLagPreconditioner(snes, stale ? -2 : -1));  // once, then not again; not at all
+  if (stale) preconditioner_ = {dt, 0, 0};
   PetscFunctionReturn(0);
 }
 
@@ -102,7 +155,10 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   auto& self = *static_cast<TimeStepper*>(stepper);
   SNESConvergedReason reason;
   PetscCall(SNESGetConvergedReason(snes, &reason));
-  if (reason < 0) self.last_failure_ = SNESConvergedReasons[reason];
+  if (reason < 0) {
+    self.last_failure_ = SNESConvergedReasons[reason];
+    PetscCall(SNESSetLagPreconditioner(snes, -2));
+  }
 
   if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 &&
       self.history_.easy_steps >= easy_before_extrapolation) {
@@ -169,13 +225,17 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   };
   PetscCall(count(0));
   last_failure_.clear();
-  PetscCall(TSSetTimeStep(ts_, dt));
+  PetscCall(age_preconditioner(dt));
+  PetscCall(TSSetTimeStep(ts_, finds_slope_ ? dt / 2 : dt));
   PetscCall(TSStep(ts_));
+  finds_slope_ = false;
   PetscCall(count(1));
   report->newton += static_cast<int>(newton[1] - newton[0]);
   report->krylov += static_cast<int>(krylov[1] - krylov[0]);
   report->rejected_solver += static_cast<int>(failures[1] - failures[0]);
   if (failures[1] > failures[0]) report->reason = last_failure_;
+  preconditioner_.last_iterations = static_cast<double>(krylov[1] - krylov[0]) / std::max<PetscInt>(1, newton[1] - newton[0]);
+  if (preconditioner_.fresh_iterations == 0) preconditioner_.fresh_iterations = preconditioner_.last_iterations;
 
   TSConvergedReason reason;
   PetscCall(TSGetConvergedReason(ts_, &reason));
@@ -194,6 +254,8 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   } else {
     ++report->rejected_error;
     PetscCall(TSRollBack(ts_));
+    PetscCall(TSRestartStep(ts_));  // what TS keeps of the rejected step is not to be used
+    finds_slope_ = control_.scheme == "arkimex";
     PetscCall(VecCopy(guess_, state_));
   }
   PetscFunctionReturn(0);

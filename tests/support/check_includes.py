@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "boundary": {"math", "closures", "grid", "operators"},
     "equations": {"math", "closures", "grid", "operators", "boundary"},
     "solver": {"math", "closures", "grid", "operators", "boundary", "equations"},
-    "config": {"math", "closures", "grid", "boundary"},
+    "config": {"math", "closures", "grid", "boundary", "equations"},
     "output": {"math", "grid"},
 }
 MAY_INCLUDE["app"] = set(MAY_INCLUDE)

@@ -15,7 +15,7 @@
 namespace scree {
 
 enum class TimeScheme { beuler, bdf, arkimex };
-enum class SolverPreset { direct, ilu, fieldsplit };
+enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
 
 /// Values of a region at t = 0; regions are applied in the order of the list.
 struct InitialRegion {
@@ -81,7 +81,7 @@ struct OutputParameters {
 };
 
 struct SolverParameters {
-  SolverPreset preset = SolverPreset::ilu;
+  SolverPreset preset = SolverPreset::multigrid;
   bool extrapolate = true;
   bool view = false;  ///< print the solver's set-up and the PETSc options it stands for
 };

@@ -137,42 +137,43 @@ class AssembledModel final : public Model {
   }
   int owned_unknown(int component, const Index& I) const { return setup_.lattice.owned(I) * L::count + component; }
 
-  /// The rows of a kernel that are balances of this rank, as bits; 0 if the kernel has nothing to do at I.
+  /// The rows of a kernel that are balances of this rank, as bits; 0 if the kernel has nothing to do at I. Nodes of
+  /// other ranks have no bits set in balance_.
   template <class Kernel>
   unsigned rows_at(const Index& I) const {
+    const int base = setup_.lattice.ghosted(I);
     unsigned rows = 0;
     for (std::size_t k = 0; k < Kernel::rows.size(); ++k) {
-      const Index cell = I + Kernel::rows[k].offset;
-      if (setup_.lattice.is_owned(cell) &&
-          (balance_[setup_.lattice.ghosted(cell)] >> Kernel::rows[k].component & 1) != 0)
-        rows |= 1U << k;
+      const int node = base + setup_.lattice.ghosted_stride(Kernel::rows[k].offset);
+      rows |= (balance_[static_cast<std::size_t>(node)] >> Kernel::rows[k].component & 1U) << k;
     }
     return rows != 0 && Kernel::active(scene_, I) ? rows : 0;
   }
 
-  /// Where input k is read at anchor I: ghosted unknown and factor.
-  template <class Kernel>
-  std::pair<int, double> source(const Index& I, int k, bool near) const {
-    const Input& input = Kernel::stencil.inputs[static_cast<std::size_t>(k)];
-    if (!near) return {ghosted_unknown(input.component, I + input.offset), 1.0};
-    const Reference reference = Kernel::resolve(scene_, I, input);
-    return {ghosted_unknown(input.component, I + reference.offset), reference.factor};
+  /// Calls work(k, ghosted unknown, factor) for each input k of a kernel at anchor I.
+  template <class Kernel, class Work>
+  void each_source(const Index& I, Work&& work) const {
+    const int base = setup_.lattice.ghosted(I);
+    const bool near = scene_.barriers.near(I);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(Kernel::stencil.size); ++k) {
+      const Input& input = Kernel::stencil.inputs[k];
+      Reference from{input.offset, 1};
+      if (near) from = Kernel::resolve(scene_, I, input);
+      work(k, (base + setup_.lattice.ghosted_stride(from.offset)) * L::count + input.component, from.factor);
+    }
   }
 
   template <class Kernel, class Number>
   void gather(const double* state, const double* rate, double shift, const Index& I, Local<Kernel, Number>& q) const {
-    const bool near = scene_.barriers.near(I);
-    for (int k = 0; k < Kernel::stencil.size; ++k) {
-      const auto j = static_cast<std::size_t>(k);
-      const auto [unknown, factor] = source<Kernel>(I, k, near);
-      const double scale = factor * scale_[Kernel::stencil.inputs[j].component];
-      q.value[j] = Number(scale * state[unknown]);
+    each_source<Kernel>(I, [&](std::size_t k, int unknown, double factor) {
+      const double scale = factor * scale_[Kernel::stencil.inputs[k].component];
+      q.value[k] = Number(scale * state[unknown]);
+      q.rate[k] = scale * rate[unknown];
       if constexpr (IsDual<Number>::value) {
-        q.value[j].derivative[j] = scale;
-        q.rate_slope[j] = shift * scale;
+        q.value[k].derivative[k] = scale;
+        q.rate_slope[k] = shift * scale;
       }
-      q.rate[j] = scale * rate[unknown];
-    }
+    });
   }
 
   struct ResidualVisitor {
@@ -204,14 +205,14 @@ class AssembledModel final : public Model {
     void visit(const Index& I) {
       const unsigned rows = model.template rows_at<Kernel>(I);
       if (rows == 0) return;
-      const bool near = model.scene_.barriers.near(I);
+      std::array<int, Kernel::stencil.size> columns;
+      model.template each_source<Kernel>(I, [&](std::size_t j, int unknown, double) { columns[j] = unknown; });
       for (std::size_t k = 0; k < Kernel::rows.size(); ++k) {
         if ((rows >> k & 1) == 0) continue;
         const Output& row = Kernel::rows[k];
         const int at = model.owned_unknown(row.component, I + row.offset);
-        for (int j = 0; j < Kernel::stencil.size; ++j)
-          if (Kernel::depends(static_cast<int>(k), Kernel::stencil.inputs[static_cast<std::size_t>(j)]))
-            sink.entry(at, model.template source<Kernel>(I, j, near).first);
+        for (std::size_t j = 0; j < columns.size(); ++j)
+          if (Kernel::depends(static_cast<int>(k), Kernel::stencil.inputs[j])) sink.entry(at, columns[j]);
       }
     }
   };

@@ -50,6 +50,10 @@ class Lattice {
     return ((I[2] - ghosted_first[2]) * ghosted_count[1] + (I[1] - ghosted_first[1])) * ghosted_count[0] +
            (I[0] - ghosted_first[0]);
   }
+  /// ghosted(I + offset) - ghosted(I).
+  int ghosted_stride(const Index& offset) const {
+    return (offset[2] * ghosted_count[1] + offset[1]) * ghosted_count[0] + offset[0];
+  }
   int owned(const Index& I) const {
     return ((I[2] - owned_first[2]) * owned_count[1] + (I[1] - owned_first[1])) * owned_count[0] +
            (I[0] - owned_first[0]);

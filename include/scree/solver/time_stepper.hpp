@@ -54,6 +54,9 @@ class TimeStepper {
   PetscErrorCode create(double time);
   /// Makes one step that does not pass `limit`.
   PetscErrorCode step(double limit, StepReport* report);
+  /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall not
+  /// depend on whether the run was interrupted there.
+  PetscErrorCode forget_preconditioner();
   /// After the conditions of the problem have changed: matrix and history are made anew.
   PetscErrorCode restart_after_event();
 
@@ -67,11 +70,13 @@ class TimeStepper {
 
  private:
   static PetscErrorCode converged(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason*, void* stepper);
+  static PetscErrorCode keep_jacobian(TS, PetscReal stage_time);
   static PetscErrorCode first_guess(SNES, Vec guess, void* stepper);
   PetscErrorCode make_ts();
   PetscErrorCode correct_continuity(SNES snes);
   PetscErrorCode local_error(double dt, double* error);
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
+  PetscErrorCode age_preconditioner(double dt);
   void choose_next_step(double dt, const StepReport& report);
 
   DiscreteProblem& problem_;
@@ -82,8 +87,14 @@ class TimeStepper {
   std::array<Vec, 2> past_{nullptr, nullptr};
   double time_ = 0;
   StepHistory history_;
+  bool finds_slope_ = false;  ///< TSARKIMEX begins with a step of the same length to find its first slope
   double attempt_imbalance_ = 0;
   std::string last_failure_;
+  /// The preconditioner in use: a step of which size it was made for (0: none yet) and the Krylov iterations a Newton
+  /// iteration took with it, in the step it was made in and in the last one.
+  struct {
+    double dt = 0, fresh_iterations = 0, last_iterations = 0;
+  } preconditioner_;
 };
 
 }  // namespace scree

@@ -1,0 +1,158 @@
+/// Scenes that together hold every boundary kind on every side, plates, periodic axes and graded cells.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../support/sample_problem.hpp"
+
+namespace scree::test {
+
+/// The choices that select which kernels and closures run.
+struct Combination {
+  int dim;
+  FrictionModel friction;
+  TemperatureModel temperature;
+  AdvectionScheme advection;
+};
+
+inline std::string name_of(const Combination& c) {
+  static const char* const frictions[] = {"none", "critical_state", "instantaneous", "relaxed"};
+  static const char* const temperatures[] = {"transport", "algebraic", "constant"};
+  static const char* const schemes[] = {"upwind", "van_albada"};
+  return std::to_string(c.dim) + "d_" + frictions[static_cast<int>(c.friction)] + '_' +
+         temperatures[static_cast<int>(c.temperature)] + '_' + schemes[static_cast<int>(c.advection)];
+}
+
+inline std::vector<Combination> combinations() {
+  std::vector<Combination> all;
+  for (int dim = 1; dim <= 3; ++dim)
+    for (const auto friction :
+         {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
+      for (const auto temperature :
+           {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
+        for (const auto advection : {AdvectionScheme::upwind, AdvectionScheme::van_albada})
+          all.push_back({dim, friction, temperature, advection});
+  return all;
+}
+
+struct NamedScene {
+  std::string name;
+  ProblemSetup setup;
+};
+
+/// The first axis is long enough for two ranks with the widest stencil (3 nodes each).
+inline constexpr std::array<int, max_dim> sample_cells{6, 4, 3};
+
+inline Condition sample_inlet() {
+  Condition inlet = condition(BoundaryKind::inlet, {0.03, -0.02, 0.01});
+  inlet.solids_fraction = 0.56;
+  inlet.granular_temperature = 2e-4;
+  inlet.chi = 0.9;
+  return inlet;
+}
+
+/// A plate normal to `axis` in the middle of the box, with an opening that leaves a lip on both sides.
+inline Plate sample_plate(const Box& box, int axis, const Condition& condition) {
+  Plate plate;
+  plate.condition = condition;
+  plate.axis = axis;
+  plate.position = box.faces[axis][static_cast<std::size_t>(box.cells(axis) / 2)];
+  Patch opening;
+  for (int other = 0; other < box.dim; ++other) {
+    if (other == axis) continue;
+    opening.lower[other] = box.faces[other][1];
+    opening.upper[other] = box.faces[other][2];
+  }
+  plate.openings.push_back(opening);
+  return plate;
+}
+
+/// The same kind on all sides, walls moving along themselves.
+inline std::vector<NamedScene> scenes_of_one_kind(const ProblemSetup& base) {
+  const std::array<double, max_dim> moving{0.02, -0.03, 0.01};
+  std::vector<NamedScene> scenes;
+  const auto add = [&](const std::string& name, const Condition& condition) {
+    scenes.push_back({name, base});
+    scenes.back().setup.segments = all_sides(base.box, condition);
+  };
+  add("wall_johnson_jackson", condition(BoundaryKind::wall_johnson_jackson));
+  add("wall_johnson_jackson moving", condition(BoundaryKind::wall_johnson_jackson, moving));
+  add("wall_free_slip", condition(BoundaryKind::wall_free_slip));
+  add("wall_no_slip moving", condition(BoundaryKind::wall_no_slip, moving));
+  add("symmetry", condition(BoundaryKind::symmetry));
+  add("open", condition(BoundaryKind::open));
+  add("inlet", sample_inlet());
+  return scenes;
+}
+
+/// Different kinds on the sides of each axis and on parts of one side, and plates across each axis.
+inline std::vector<NamedScene> scenes_of_mixed_kinds(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes{{"mixed sides and plates", base}, {"mixed sides, parts", base}};
+  ProblemSetup& plates = scenes[0].setup;
+  plates.segments.clear();
+  const Condition kinds[] = {condition(BoundaryKind::wall_no_slip),
+                             condition(BoundaryKind::open),
+                             condition(BoundaryKind::wall_johnson_jackson),
+                             sample_inlet(),
+                             condition(BoundaryKind::symmetry),
+                             condition(BoundaryKind::wall_free_slip)};
+  int next = 0;
+  for (int axis = 0; axis < base.box.dim; ++axis) {
+    for (const bool upper : {false, true}) plates.segments.push_back(side(axis, upper, kinds[next++]));
+    const Condition on_plate = axis == 0   ? condition(BoundaryKind::wall_johnson_jackson, {0, 0.02, -0.01})
+                               : axis == 1 ? condition(BoundaryKind::wall_no_slip)
+                                           : condition(BoundaryKind::wall_free_slip);
+    plates.plates.push_back(sample_plate(base.box, axis, on_plate));
+  }
+
+  ProblemSetup& parts = scenes[1].setup;
+  for (int axis = 0; axis < base.box.dim; ++axis)
+    for (const bool upper : {false, true}) {
+      Segment middle = side(axis, upper, upper ? sample_inlet() : condition(BoundaryKind::open));
+      for (int other = 0; other < base.box.dim; ++other) {
+        if (other == axis) continue;
+        middle.patch.lower[other] = base.box.faces[other][1];
+        middle.patch.upper[other] = base.box.faces[other][2];
+      }
+      parts.segments.push_back(middle);
+    }
+  return scenes;
+}
+
+/// Periodic in one axis after the other, then in all.
+inline std::vector<NamedScene> periodic_scenes(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes;
+  for (int axis = 0; axis <= base.box.dim; ++axis) {
+    const bool all = axis == base.box.dim;
+    if (all && base.box.dim == 1) break;
+    scenes.push_back({all ? std::string("periodic in all axes") : std::string("periodic in ") + "xyz"[axis], base});
+    ProblemSetup& setup = scenes.back().setup;
+    for (int a = 0; a < base.box.dim; ++a) setup.box.periodic[a] = all || a == axis;
+    setup.segments = all_sides(setup.box, condition(BoundaryKind::wall_johnson_jackson, {0.01, 0.01, 0.01}));
+  }
+  return scenes;
+}
+
+/// What no boundary decides.
+inline std::vector<NamedScene> scenes_of_options(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes{{"no strain rate fluctuation", base}, {"fixed solids", base}, {"gravity", base}};
+  scenes[0].setup.solids.friction.strain_rate_fluctuation = false;
+  scenes[1].setup.model.solids_moving = false;
+  scenes[2].setup.model.gravity = {1.0, -9.81, 0.5};
+  scenes[2].setup.model.void_fraction_floor = 1e-3;
+  return scenes;
+}
+
+inline ProblemSetup sample_setup(const Combination& c) {
+  return sample_setup(graded_box(c.dim, sample_cells), c.friction, c.temperature, c.advection);
+}
+
+inline std::vector<NamedScene> all_scenes(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes;
+  for (auto* make : {scenes_of_one_kind, scenes_of_mixed_kinds, periodic_scenes, scenes_of_options})
+    for (NamedScene& scene : make(base)) scenes.push_back(std::move(scene));
+  return scenes;
+}
+
+}  // namespace scree::test

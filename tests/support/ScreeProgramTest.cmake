@@ -1,0 +1,29 @@
+# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds]): runs NAME.py of the current directory, which starts the
+# program on that many ranks. One rank needs no mpirun.
+set(SCREE_LAUNCHER ${MPIEXEC_EXECUTABLE} --bind-to none --oversubscribe)
+execute_process(COMMAND id -u OUTPUT_VARIABLE user_id OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(user_id EQUAL 0)
+  list(APPEND SCREE_LAUNCHER --allow-run-as-root)
+endif()
+
+function(scree_program_test label name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "RANKS" ${ARGN})
+  if(NOT ARG_RANKS)
+    set(ARG_RANKS 1 2)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  foreach(ranks ${ARG_RANKS})
+    set(suffix "")
+    if(ranks GREATER 1)
+      set(suffix s)
+    endif()
+    set(test ${label}.${name}.${ranks}_rank${suffix})
+    add_test(NAME ${test}
+      COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:scree> --ranks ${ranks}
+              --work ${CMAKE_CURRENT_BINARY_DIR}/${name}_${ranks} -- ${SCREE_LAUNCHER})
+    set_tests_properties(${test} PROPERTIES LABELS ${label} PROCESSORS ${ranks} TIMEOUT ${ARG_TIMEOUT}
+      ENVIRONMENT "OMP_NUM_THREADS=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
+  endforeach()
+endfunction()

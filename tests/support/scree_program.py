@@ -1,0 +1,138 @@
+"""The program under test: runs scree on a case file, reads what it leaves, and checks with a line for each number.
+
+A test script makes a Program from its command line (which CTest gives), runs cases, feeds a Checks, and exits with its
+verdict. Paths of case files are relative to the script."""
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import scree_output as output  # noqa: E402
+
+
+class Run:
+    """A finished run and its output directory."""
+
+    def __init__(self, directory, process):
+        self.directory = Path(directory)
+        self.code = process.returncode
+        self.log = process.stdout
+        self.errors = process.stderr
+
+    @property
+    def monitor(self):
+        return output.monitor(self.directory)
+
+    @property
+    def summary(self):
+        return json.loads((self.directory / "summary.json").read_text())
+
+    @property
+    def fields(self):
+        """The last fields, SI units."""
+        return output.last_fields(self.directory)
+
+    @property
+    def first_fields(self):
+        return output.fields(output.field_files(self.directory)[0])
+
+    def all_fields(self):
+        return [output.fields(path) for path in output.field_files(self.directory)]
+
+
+class Program:
+    def __init__(self):
+        parser = argparse.ArgumentParser()
+        parser.add_argument("--scree", required=True, help="the executable")
+        parser.add_argument("--ranks", type=int, default=1)
+        parser.add_argument("--work", required=True, help="directory for the output of the runs")
+        parser.add_argument("--update", action="store_true", help="write the stored numbers anew")
+        parser.add_argument("launcher", nargs="*", help="mpirun and its options, without -n")
+        given = parser.parse_args()
+        self.scree, self.launcher, self.ranks, self.update = given.scree, given.launcher, given.ranks, given.update
+        self.work = Path(given.work)
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
+        self.here = Path(sys.argv[0]).resolve().parent
+
+    def command(self, case, options=None, ranks=None):
+        """The command line. Option values are texts or numbers; a list gives the option several times."""
+        ranks = ranks or self.ranks
+        words = [*self.launcher, "-n", str(ranks)] if ranks > 1 else []
+        words.append(self.scree)
+        if case:
+            words.append(str(self.here / case))
+        for key, value in (options or {}).items():
+            for item in value if isinstance(value, list) else [value]:
+                words += ["-" + key] + ([] if item is None else [str(item)])
+        return words
+
+    def run(self, case, name, options=None, ranks=None, must_work=True, timeout=300):
+        """Runs a case into the directory `name`; anything but success is the end of the test unless must_work is off."""
+        directory = self.work / name
+        options = {"output_dir": directory, **(options or {})}
+        words = self.command(case, options, ranks)
+        process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout)
+        if must_work and process.returncode != 0:
+            sys.exit(f"FAILED to run: {' '.join(words)}\nexit code {process.returncode}\n{process.stdout}{process.stderr}")
+        return Run(directory, process)
+
+
+class Checks:
+    """Counts what failed; each check prints its case, what was measured, what was expected, and the tolerance."""
+
+    def __init__(self, title):
+        self.failed = 0
+        print(title)
+
+    def _say(self, good, case, measured, expected):
+        self.failed += not good
+        print(f"  {'ok  ' if good else 'FAIL'}  {case}: measured {measured}, expected {expected}")
+        sys.stdout.flush()
+
+    def close(self, case, measured, expected, relative=0.0, absolute=0.0):
+        tolerance = absolute + relative * abs(expected)
+        good = abs(measured - expected) <= tolerance
+        self._say(good, case, f"{measured:.9g}", f"{expected:.9g} +- {tolerance:.2g} (off by {measured - expected:.2e})")
+
+    def below(self, case, measured, bound):
+        self._say(measured <= bound, case, f"{measured:.3e}", f"<= {bound:.3g}")
+
+    def above(self, case, measured, bound):
+        self._say(measured >= bound, case, f"{measured:.9g}", f">= {bound:.9g}")
+
+    def equal(self, case, measured, expected):
+        self._say(measured == expected, case, repr(measured), repr(expected))
+
+    def true(self, case, condition, otherwise="not so"):
+        self._say(bool(condition), case, "so" if condition else otherwise, "so")
+
+    def order(self, case, errors, expected, bound, slack=0.15, ratio=2.0):
+        """Order of convergence from errors whose steps shrink by `ratio` each, and a bound on the last error."""
+        orders = [np.log(a / b) / np.log(ratio) for a, b in zip(errors, errors[1:])]
+        good = abs(orders[-1] - expected) <= slack and errors[-1] <= bound
+        self._say(good, case, "errors " + ", ".join(f"{e:.3e}" for e in errors) + "; orders "
+                  + ", ".join(f"{p:.3f}" for p in orders),
+                  f"last order {expected} +- {slack}, last error <= {bound:.2g}")
+
+    def verdict(self):
+        print("all checks hold" if not self.failed else f"{self.failed} checks FAILED")
+        sys.exit(1 if self.failed else 0)
+
+
+def norm(values):
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def centres(faces):
+    return 0.5 * (faces[1:] + faces[:-1])
+
+
+#: Newton and its linear solver down to round-off, for tests that look at discretisation errors alone.
+EXACT = {"solver": "direct", "snes_rtol": 1e-12, "snes_atol": 1e-12}

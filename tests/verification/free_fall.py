@@ -1,0 +1,42 @@
+"""T14, free fall: the steady jet below an inlet, with both schemes of advection and their orders; a falling slab."""
+import numpy as np
+from scree_program import EXACT, Checks, Program, centres, norm
+
+V0, NU0, G = 0.6, 0.52, 9.81
+TABLE = {0.5: .460972, 1: .418349, 2: .359692, 5: .269426}  # h [cm]: nu
+
+
+def speed(h):
+    return np.sqrt(V0**2 + 2 * G * h)
+
+
+program, checks = Program(), Checks("free fall")
+for h, nu in TABLE.items():
+    checks.close(f"reference nu at {h} cm", NU0 * V0 / speed(h / 100), nu, absolute=1e-6)
+for scheme, order, bound in (("upwind", 1, 3e-3), ("van_albada", 2, 1e-4)):
+    errors = {"nu": [], "v": []}
+    for cells in (60, 120, 240):
+        options = {**EXACT, "advection": scheme, "grid_cells": cells}
+        last = program.run("falling_jet.yaml", f"{scheme}_{cells}", options).fields
+        h = 0.06 - centres(last["x_faces"])
+        errors["nu"].append(norm(last["solids_fraction"] - NU0 * V0 / speed(h)))
+        errors["v"].append(norm(-last["velocity_x_face"] - speed(0.06 - last["x_faces"])))
+    checks.order(f"{scheme}: L2 error of nu on 60, 120, 240 cells", errors["nu"], order, bound)
+    checks.order(f"{scheme}: L2 error of v on 60, 120, 240 cells [m/s]", errors["v"], order, 10 * bound)
+    for place, nu in TABLE.items():
+        found = np.interp(place / 100, h[::-1], last["solids_fraction"][::-1])
+        checks.close(f"{scheme}: nu at {place} cm, 240 cells", found, nu, absolute=2 * bound)
+
+for scheme in ("upwind", "van_albada"):
+    run = program.run("falling_slab.yaml", f"slab_{scheme}", {"advection": scheme, "solver": "direct"})
+    last, first = run.fields, run.first_fields
+    x, nu, t = centres(last["x_faces"]), last["solids_fraction"], last["time"]
+    fall = np.sum(x * first["solids_fraction"]) / np.sum(first["solids_fraction"]) - np.sum(x * nu) / np.sum(nu)
+    checks.close(f"slab, {scheme}: fall of its centre [m]", fall, G * t**2 / 2, relative=2e-2)
+    checks.close(f"slab, {scheme}: mass against its start", np.sum(nu) / np.sum(first["solids_fraction"]), 1, absolute=1e-12)
+    checks.above(f"slab, {scheme}: least nu ever", run.monitor["solids_fraction_min"].min(), -1e-20)
+    checks.below(f"slab, {scheme}: greatest nu ever", run.monitor["solids_fraction_max"].max(), 0.5 + 1e-3)
+    inside = nu > 0.05
+    v = last["velocity_x_face"][:-1][inside]
+    checks.below(f"slab, {scheme}: spread of v in the slab against g t", np.ptp(v) / (G * t), 0.02)
+checks.verdict()

@@ -1,0 +1,21 @@
+"""T2, steady simple shear: granular temperature without and with friction; velocity linear, solids fraction uniform."""
+import numpy as np
+from scree_program import EXACT, Checks, Program
+
+GDOT, D = 10.0, 1e-3
+RATIO = {0.1: 4.39810, 0.3: 1.34206, 0.55: 1.10921}  # T/(d gdot)^2, verification.md section 1
+
+program, checks = Program(), Checks("steady simple shear at 10 1/s, d 0.1 cm")
+for nu, ratio in RATIO.items():
+    run = program.run("simple_shear.yaml", f"nu_{nu}", {**EXACT, "initial_everywhere_solids_fraction": nu})
+    last = run.fields
+    expected = ratio * (D * GDOT) ** 2
+    T = last["granular_temperature"]
+    checks.close(f"nu {nu}: mean T [m2/s2]", T.mean(), expected, relative=1e-5)
+    checks.below(f"nu {nu}: spread of T, relative", np.ptp(T) / expected, 1e-8)
+    checks.below(f"nu {nu}: spread of nu", np.ptp(last["solids_fraction"]), 1e-8)
+    y = 0.5 * (last["y_faces"][1:] + last["y_faces"][:-1])
+    deviation = last["velocity_x_face"] - (GDOT * y - 0.1)[:, None]
+    checks.below(f"nu {nu}: velocity against the linear profile [m/s]", np.abs(deviation).max(), 1e-8)
+    checks.close(f"nu {nu}: chi", last["frictional_pressure_ratio"].mean(), 1.0, absolute=1e-9)
+checks.verdict()
