@@ -43,7 +43,7 @@ const PetscOptionList multigrid{{"ksp_type", "gmres"},
                                 {"pc_type", "gamg"},
                                 {"pc_gamg_type", "agg"},
                                 {"pc_gamg_agg_nsmooths", "0"},
-                                {"pc_gamg_reuse_interpolation", "true"},
+                                {"pc_gamg_reuse_interpolation", "false"},
                                 {"mg_levels_ksp_type", "richardson"},
                                 {"mg_levels_ksp_max_it", "1"},
                                 {"mg_levels_pc_type", "bjacobi"},
@@ -63,24 +63,29 @@ PetscOptionList preset_options(const std::string& preset, int unknowns) {
   } else if (preset == "multigrid") {
     append(multigrid);
   } else if (preset == "fieldsplit") {
-    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG.
+    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
+    // aggregation multigrid.
     append({{"ksp_type", "fgmres"},
             {"ksp_gmres_restart", "60"},
-            {"ksp_max_it", "200"},
-            {"ksp_rtol", "1e-3"},
+            {"ksp_max_it", "100"},
+            {"ksp_rtol", "3e-2"},
             {"pc_type", "fieldsplit"},
             {"pc_fieldsplit_type", "schur"},
             {"pc_fieldsplit_schur_fact_type", "full"},
             {"pc_fieldsplit_schur_precondition", "selfp"},
             {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
             {"pc_fieldsplit_1_fields", component_list(0, 1)},
-            {"fieldsplit_0_ksp_type", "gmres"},
-            {"fieldsplit_0_ksp_rtol", "1e-1"},
-            {"fieldsplit_0_ksp_max_it", "10"},
-            {"fieldsplit_0_pc_type", "bjacobi"},
-            {"fieldsplit_0_sub_pc_type", "ilu"},
-            {"fieldsplit_1_ksp_type", "preonly"},
-            {"fieldsplit_1_pc_type", "hypre"}});
+            {"fieldsplit_0_ksp_type", "preonly"},
+            {"fieldsplit_0_pc_type", "gamg"},
+            {"fieldsplit_0_pc_gamg_agg_nsmooths", "0"},
+            {"fieldsplit_0_mg_levels_ksp_type", "richardson"},
+            {"fieldsplit_0_mg_levels_ksp_max_it", "1"},
+            {"fieldsplit_0_mg_levels_pc_type", "bjacobi"},
+            {"fieldsplit_0_mg_levels_sub_pc_type", "ilu"},
+            {"fieldsplit_1_ksp_type", "gmres"},
+            {"fieldsplit_1_ksp_max_it", "5"},
+            {"fieldsplit_1_pc_type", "hypre"},
+            {"fieldsplit_1_pc_hypre_type", "boomeramg"}});
   } else {
     throw std::invalid_argument("solver preset '" + preset + "'");
   }

@@ -139,12 +139,16 @@ PetscErrorCode TimeStepper::age_preconditioner(double dt) {
   PetscFunctionBeginUser;
   PetscBool chosen;
   PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_lag_preconditioner", &chosen));
-  if (chosen) PetscFunctionReturn(0);
+  SNES snes;
+  KSP ksp;
+  PetscBool alone;  // a preconditioner that is the whole solver: an old one would make Newton linear
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp), KSPPREONLY, &alone));
+  if (chosen || alone) PetscFunctionReturn(0);
   const auto& p = preconditioner_;
   const bool stale = p.dt == 0 || dt > most_step_change * p.dt || p.dt > most_step_change * dt ||
                      p.last_iterations > 1.3 * p.fresh_iterations + 2;
-  SNES snes;
-  PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(SNESSetLagPreconditioner(snes, stale ? -2 : -1));  // once, then not again; not at all
   if (stale) preconditioner_ = {dt, 0, 0};
   PetscFunctionReturn(0);

@@ -104,26 +104,42 @@ struct CrossMomentumFlux {
   static void evaluate(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s;
-    const Number F = face_mean(scene, axis, I, mass_flux<L, SecondOrder>(scene, I, q, across, -1 * a),
-                               mass_flux<L, SecondOrder>(scene, I, q, across, {}));
     const Number &below = q(L::v(axis), -1 * b), &above = q(L::v(axis));
-    const Number v = carried(scene, I, q, F);
-    r[0] += rho_s * F * (v - below) / scene.axis(across).width(I[across] - 1);
-    r[1] -= rho_s * F * (v - above) / scene.axis(across).width(I[across]);
+    const Axis& x = scene.axis(across);
+    if (!scene.lattice.inside(I - b)) {
+      r[1] -= rho_s * brought_in(scene, I, q, above) / x.width(I[across]);
+    } else if (!scene.lattice.inside(I)) {
+      r[0] += rho_s * brought_in(scene, I, q, below) / x.width(I[across] - 1);
+    } else {
+      const Number F = face_mean(scene, axis, I, mass_flux<L, SecondOrder>(scene, I, q, across, -1 * a),
+                                 mass_flux<L, SecondOrder>(scene, I, q, across, {}));
+      const Number v = carried(scene, I, q, F);
+      r[0] += rho_s * F * (v - below) / x.width(I[across] - 1);
+      r[1] -= rho_s * F * (v - above) / x.width(I[across]);
+    }
   }
 
  private:
+  /// F (v - own) through a side of the box, `own` being the velocity before it: each half of the face brings the
+  /// velocity of its own condition, and what leaves takes that of the box along.
+  template <class Number>
+  static Number brought_in(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
+                           const Number& own) {
+    const auto half = [&](const Index& at) {
+      const Condition& condition = scene.barriers.condition(across, I + at);
+      const Number F = mass_flux<L, SecondOrder>(scene, I, q, across, at);
+      const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
+      if (!inflow || condition.kind != BoundaryKind::inlet) return Number(0.0);
+      return Number(F * (condition.velocity[axis] - own));
+    };
+    return face_mean(scene, axis, I, half(-1 * a), half({}));
+  }
+
+  /// The velocity that the flux F carries between two cells.
   template <class Number>
   static Number carried(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
                         const Number& F) {
     const Number &below = q(L::v(axis), -1 * b), &above = q(L::v(axis));
-    const bool outside_below = !scene.lattice.inside(I - b), outside_above = !scene.lattice.inside(I);
-    if (outside_below || outside_above) {
-      const bool inflow = outside_below ? F >= 0.0 : F < 0.0;
-      const Condition& condition = scene.barriers.condition(across, I);
-      if (inflow && condition.kind == BoundaryKind::inlet) return Number(condition.velocity[axis]);
-      return outside_below ? above : below;
-    }
     if constexpr (SecondOrder) {
       return limited_upwind(F, q(L::v(axis), -2 * b), below, above, q(L::v(axis), b),
                             cell_metrics(scene.axis(across), I[across]));

@@ -1,0 +1,61 @@
+#include "scree/solver/presets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "../../support/sample_problem.hpp"
+
+namespace scree::test {
+namespace {
+
+/// Options that exist only within a test.
+class Presets : public testing::Test {
+ protected:
+  Presets() {
+    check(PetscOptionsCreate(&options_));
+    check(PetscOptionsPush(options_));
+  }
+  ~Presets() override {
+    (void)PetscOptionsPop();
+    (void)PetscOptionsDestroy(&options_);
+  }
+  static std::string value(const char* name) {
+    char text[100] = "";
+    PetscBool set;
+    check(PetscOptionsGetString(nullptr, nullptr, name, text, sizeof text, &set));
+    return set ? text : "(not set)";
+  }
+
+ private:
+  PetscOptions options_ = nullptr;
+};
+
+TEST_F(Presets, SetWhatTheyList) {
+  check(apply_preset("ilu", 4));
+  for (const auto& [name, expected] : preset_options("ilu", 4))
+    EXPECT_EQ(value(("-" + name).c_str()), expected) << name;
+}
+
+TEST_F(Presets, GiveWayToTheUser) {
+  check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
+  check(PetscOptionsSetValue(nullptr, "-pc_type", "asm"));
+  check(apply_preset("ilu", 4));
+  EXPECT_EQ(value("-ksp_rtol"), "1e-9");
+  EXPECT_EQ(value("-pc_type"), "asm");
+  EXPECT_EQ(value("-ksp_type"), "gmres");
+}
+
+TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
+  check(apply_preset("fieldsplit", 5));
+  std::string fields;
+  for (const char* name : {"-pc_fieldsplit_0_fields", "-pc_fieldsplit_1_fields"}) fields += value(name) + ',';
+  for (const char c : std::string("01234"))
+    EXPECT_EQ(std::count(fields.begin(), fields.end(), c), 1) << "component " << c << " in " << fields;
+}
+
+TEST_F(Presets, UnknownNameIsAnError) { EXPECT_THROW(preset_options("amg", 4), std::invalid_argument); }
+
+}  // namespace
+}  // namespace scree::test
