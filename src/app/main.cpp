@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -23,6 +24,20 @@ std::string case_file(int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') return argv[1];
   for (int k = 1; k + 1 < argc; ++k)
     if (std::strcmp(argv[k], "-restart") == 0) return std::string(argv[k + 1]) + "/case.yaml";
+  return "";
+}
+
+/// The file that `file` names under a top-level key `based_on`, as a path; empty if there is none.
+std::string base_of(const std::string& file) {
+  const std::string key = "based_on:";
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.compare(0, key.size(), key) != 0) continue;
+    const auto first = line.find_first_not_of(" \t\"'", key.size());
+    const auto last = line.find_first_of(" \t\"'#\r", first);
+    const std::string name = first == std::string::npos ? "" : line.substr(first, last - first);
+    return std::filesystem::path(file).parent_path() / name;
+  }
   return "";
 }
 
@@ -56,7 +71,9 @@ int main(int argc, char** argv) {
     std::printf("%s", scree::option_table_markdown().c_str());
     return 0;
   }
-  const std::string file = case_file(argc, argv);
+  std::string file = case_file(argc, argv);
+  const std::string variant = base_of(file).empty() ? "" : file;
+  if (!variant.empty()) file = base_of(variant);
   MPI_Init(&argc, &argv);
   int status = 1;
   if (file.empty()) {
@@ -65,7 +82,10 @@ int main(int argc, char** argv) {
     complain("case file '" + file + "': expected a readable YAML file");
   } else {
     // PETSc takes an argument that is no option for an unused one: the case file goes in as the third argument instead.
+    // A variant comes after its base and before the command line, where -options_file_yaml stands.
+    std::string option = "-options_file_yaml", name = variant;
     std::vector<char*> options{argv[0]};
+    if (!variant.empty()) options.insert(options.end(), {option.data(), name.data()});
     for (int k = argv[1][0] == '-' ? 1 : 2; k < argc; ++k) options.push_back(argv[k]);
     int count = static_cast<int>(options.size());
     options.push_back(nullptr);

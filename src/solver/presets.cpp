@@ -71,6 +71,7 @@ PetscOptionList preset_options(const std::string& preset, int unknowns) {
             {"ksp_rtol", "3e-2"},
             {"pc_type", "fieldsplit"},
             {"pc_fieldsplit_type", "schur"},
+            {"pc_fieldsplit_dm_splits", "false"},  // by component of the block, or GAMG gets a grid without vectors
             {"pc_fieldsplit_schur_fact_type", "full"},
             {"pc_fieldsplit_schur_precondition", "selfp"},
             {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},

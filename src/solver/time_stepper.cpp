@@ -303,7 +303,8 @@ void TimeStepper::choose_next_step(double dt, const StepReport& report) {
     factor = failed ? 1.0 : 0.8;
   else if (!easy)
     factor = 1 + (growth - 1) * (hard_newton - report.newton) / (hard_newton - easy_newton);
-  if (report.error > 0) factor = std::min(factor, 0.9 / std::sqrt(report.error));
+  if (report.rejected_error > 0) factor = std::min(factor, 1.0);
+  if (report.error > 0) factor = std::min(factor, 0.8 / std::sqrt(report.error));
   history_.dt_next = std::clamp(dt * std::max(factor, 0.3), control_.step_min, control_.step_max);
 }
 

@@ -16,7 +16,7 @@ def solids_fraction(z, rho=RHO, smooth=False):
     """Of a column at depth z [m], where p_c/nu + integral of p_c/nu^2 = rho g z."""
 
     def weight(nu):
-        return p_c(nu, smooth) / nu + quad(lambda x: p_c(x, smooth) / x**2, NU_MIN, nu, epsabs=0, epsrel=1e-11)[0]
+        return p_c(nu, smooth) / nu + quad(lambda x: p_c(x, smooth) / x**2, NU_MIN, nu, epsabs=1e-9, epsrel=1e-9)[0]
 
     return brentq(lambda nu: weight(nu) - rho * G * z, NU_MIN + 1e-9, NU_MAX - 1e-6, xtol=1e-14)
 
