@@ -52,7 +52,8 @@ void Barriers::mark_plates(const std::vector<Plate>& plates) {
     if (conditions_.size() > 255) throw std::runtime_error("more than 255 boundary segments and plates");
     const Axis& axis = grid.axes[plate.axis];
     for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
-      const bool on_plane = std::abs(axis.face(I[plate.axis]) - plate.position) < 1e-4 * axis.width(I[plate.axis]);
+      const int face = axis.periodic() ? (I[plate.axis] + axis.cells()) % axis.cells() : I[plate.axis];
+      const bool on_plane = std::abs(axis.face(face) - plate.position) < 1e-4 * axis.width(face);
       if (!on_plane || !grid.inside(I) || !grid.inside(I - unit(plate.axis)) ||
           !within(plate.span, grid, plate.axis, I))
         return;

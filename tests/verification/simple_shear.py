@@ -7,7 +7,10 @@ RATIO = {0.1: 4.39810, 0.3: 1.34206, 0.55: 1.10921}  # T/(d gdot)^2, verificatio
 
 program, checks = Program(), Checks("steady simple shear at 10 1/s, d 0.1 cm")
 for nu, ratio in RATIO.items():
-    run = program.run("simple_shear.yaml", f"nu_{nu}", {**EXACT, "initial_everywhere_solids_fraction": nu})
+    # with friction chi starts at 1: elsewhere (14) jumps where div v changes its sign, and here it is zero but for rounding
+    options = {**EXACT, "initial_everywhere_solids_fraction": nu,
+               "initial_everywhere_frictional_pressure_ratio": 0.9 if nu < 0.5 else 1}
+    run = program.run("simple_shear.yaml", f"nu_{nu}", options)
     last = run.fields
     expected = ratio * (D * GDOT) ** 2
     T = last["granular_temperature"]

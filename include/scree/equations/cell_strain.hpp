@@ -22,7 +22,8 @@ constexpr void add_cell_strain_inputs(StencilBuilder& s) {
 
 /// Weights of the four edges of cell I about axes a, b, [side along a][side along b], in the mean of D_ab^2.
 /// At a wall with slip the velocity beyond is unknown: the edge takes the shear rate of the opposite edge of the cell.
-/// Where there is no shear by the condition (symmetry, free slip) the edge counts with zero.
+/// Where there is no shear by the condition (symmetry, free slip), and between barriers one cell apart, the edge counts
+/// with zero.
 inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, const Index& I, int a, int b) {
   std::array<std::array<double, 2>, 2> weights{{{0, 0}, {0, 0}}};
   for (int side_a = 0; side_a < 2; ++side_a)
@@ -33,7 +34,8 @@ inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, con
         const Index face = I + side * unit(axis);
         if (!scene.barriers.at(axis, face)) return;
         const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
-        free = free || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::symmetry;
+        const bool between = scene.barriers.at(axis, I + (1 - side) * unit(axis));
+        free = free || between || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::symmetry;
         from = 1 - side;
       };
       look(a, side_a, from_a);

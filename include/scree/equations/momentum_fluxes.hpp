@@ -49,7 +49,10 @@ struct NormalMomentumFlux {
     const Number &below = q(L::v(axis)), &above = q(L::v(axis), e);
     Number carried;
     if constexpr (SecondOrder) {
-      const AdvectionMetrics h{x.width(i - 1), x.width(i), x.width(i + 1), 0.5 * x.width(i), 0.5 * x.width(i)};
+      const Barriers& barrier = scene.barriers;  // what is mirrored at a plate lies a width of this cell beyond it
+      const double far_lower = x.width(barrier.at(axis, I) ? i : i - 1);
+      const double far_upper = x.width(barrier.at(axis, I + e) ? i : i + 1);
+      const AdvectionMetrics h{far_lower, x.width(i), far_upper, 0.5 * x.width(i), 0.5 * x.width(i)};
       carried = limited_upwind(F, q(L::v(axis), -1 * e), below, above, q(L::v(axis), 2 * e), h);
     } else {
       carried = upwind(F, below, above);

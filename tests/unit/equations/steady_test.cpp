@@ -221,6 +221,32 @@ TEST(Signs, ViscosityWallsAndConductionActAgainstDifferences) {
   }
 }
 
+/// Compression in one dimension: sigma_xx = p - (eta mu_b + 4/3 mu_s) dv/dx, S_xx being two thirds of dv/dx.
+TEST(Signs, NormalStressResistsCompression) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (int axis = 0; axis < dim; ++axis) {
+      std::array<int, max_dim> cells{5, 5, 5};
+      ProblemSetup setup = sample_setup(uniform_box(dim, cells), FrictionModel::none, TemperatureModel::constant);
+      setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
+      setup.model.void_fraction_floor = 0;
+      Evaluation problem(PETSC_COMM_SELF, setup);
+      const double nu = 0.57, raise = 1e-7, width = 2e-3;
+      const Values residual = problem.residual(problem.values([&](const Field& f, const Index& I) {
+        if (!problem.lattice().inside(I)) return 0.0;
+        return f.symbol == "nu" ? nu : f.face_axis == axis && I[axis] == 2 ? raise : 0.0;
+      }),
+                                               problem.zeros());
+      const KineticParameters& k = setup.solids.kinetic;
+      const double sqrt_T = std::sqrt(setup.solids.temperature_value);
+      const double mu = bulk_viscosity(nu, sqrt_T, k) + 4.0 / 3 * shear_viscosity(nu, sqrt_T, k);
+      const double scale = setup.scales.time / (k.rho_s * setup.scales.velocity);
+      const double expected = 2 * mu * raise / (width * width) * scale;
+      Index middle{{2, dim > 1 ? 2 : 0, dim > 2 ? 2 : 0}};
+      EXPECT_NEAR(residual[problem.at(1 + axis, middle)], expected, 1e-4 * expected)
+          << dim << "d, axis " << axis << ": a plane moving alone; advection of 1e-7 m/s is below the tolerance";
+    }
+}
+
 /// The share of a wall in the balance of a tangential velocity in the cell beside it: (25) and (26) with the cell's
 /// values.
 TEST(Signs, WallLawsActOnTheCellBeside) {

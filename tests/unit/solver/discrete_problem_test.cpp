@@ -40,6 +40,38 @@ TEST(DiscreteProblem, MeasuresVolumeAndFluxes) {
   check(VecDestroy(&state));
 }
 
+/// After the correction the rates of nu and the fluxes balance, however bad the state was.
+TEST(DiscreteProblem, CorrectionOfContinuityBalancesVolumeAndOutflow) {
+  ProblemSetup setup = sample_setup(graded_box(2, {6, 4, 0}), FrictionModel::critical_state);
+  setup.segments[2] = side(1, false, condition(BoundaryKind::open));
+  Evaluation problem(PETSC_COMM_WORLD, setup);
+  const auto random = [&](int seed) {
+    return problem.values([&](const Field& f, const Index& I) { return random_value(f, I, Regime::dense, seed); });
+  };
+  const double shift = 40;
+  const Values state = random(1), rate = random(2);
+  problem.assemble(state, rate, shift);
+  const Values residual = problem.residual(state, rate);
+  const double expected = -problem.outflow(state);  // of the rate of the volume of solids
+  Vec x, f;
+  check(DMCreateGlobalVector(problem.problem().dm(), &x));
+  check(VecDuplicate(x, &f));
+  problem.put(state, x);
+  problem.put(residual, f);
+  double before, after, imbalance, change = 0;
+  check(problem.problem().solids_volume(x, &before));
+  check(problem.problem().correct_continuity(x, f, &imbalance));
+  check(problem.problem().solids_volume(x, &after));
+  for_each_node(Index{}, problem.nodes(), [&](const Index& I) {
+    if (problem.lattice().inside(I)) change += problem.lattice().volume(I) * rate[problem.at(0, I)];
+  });
+  change += shift * (after - before);  // nu enters its rate times the shift
+  EXPECT_NEAR(change, expected, 1e-12 * std::abs(expected)) << "rate of change of the volume against -outflow";
+  EXPECT_NEAR(imbalance, 0, 1e-12 * std::abs(expected));
+  check(VecDestroy(&x));
+  check(VecDestroy(&f));
+}
+
 TEST(DiscreteProblem, TimeWindowsTakeEffectWhenConditionsAreUpdated) {
   ProblemSetup setup = sample_setup(uniform_box(1, {8, 0, 0}), FrictionModel::critical_state);
   Condition gate = condition(BoundaryKind::wall_free_slip);

@@ -1,0 +1,85 @@
+"""Wrong input: one line on stderr, from one rank, that names key, value and expectation; exit code not zero; nothing written."""
+import shutil
+
+from scree_program import Checks, Program
+
+CASE = "small_bin.yaml"
+#: what: options, words that the line must have
+OPTIONS = {
+    "unknown key": ({"friction_tua": "1e-3"}, ["friction_tua", "1e-3", "friction_tau"]),
+    "unknown attribute": ({"boundary_wall_speed": 1}, ["boundary_wall_speed", "known key"]),
+    "bad unit": ({"friction_tau": "1 cm"}, ["friction_tau", "1 cm", "in s", "dimension"]),
+    "no number": ({"particle_density": "heavy"}, ["particle_density", "heavy", "kg/m3"]),
+    "out of range": ({"particle_restitution": 1.2}, ["particle_restitution", "1.2", "(0, 1]"]),
+    "not positive": ({"friction_tau": -1}, ["friction_tau", "-1", "> 0"]),
+    "above nu_max": ({"initial_fill_solids_fraction": 0.7}, ["initial_fill_solids_fraction", "0.7", "0.65"]),
+    "bad choice": ({"friction_model": "sticky"}, ["friction_model", "sticky", "relaxed"]),
+    "bad list": ({"gravity": "0"}, ["gravity", "0", "2 numbers"]),
+    "plate off the grid": ({"plate_floor_position": "1.1 cm"}, ["plate_floor_position", "0.011", "grid plane"]),
+    "plate outside": ({"plate_floor_position": "0"}, ["plate_floor_position", "inside"]),
+    "side not covered": ({"boundary_wall_patch": "2 cm, 9 cm"}, ["x_upper", "cover"]),
+    "periodic side with a segment": ({"periodic": "x"}, ["boundary_", "periodic"]),
+    "missing required": ({"boundary_more_kind": "open"}, ["boundary_more_side", "required"]),
+    "inlet without its solids": ({"boundary_top_kind": "inlet"}, ["boundary_top_solids_fraction", "required"]),
+    "probe outside": ({"probe_a_point": "1, 1"}, ["probe_a_point", "1", "box"]),
+    "equilibrium without friction": ({"friction_model": "none", "initial_fill_profile": "equilibrium",
+                                      "initial_fill_surface": "7 cm"}, ["initial_fill_profile", "equilibrium", "friction_model"]),
+    "equilibrium without a surface": ({"initial_fill_profile": "equilibrium"}, ["initial_fill_surface", "required"]),
+    "first step above the greatest": ({"time_step_initial": 1}, ["time_step_initial", "1", "time_step_max"]),
+    "missing table": ({"initial_fill_table": "no/such/table"}, ["initial_fill_table", "no/such/table"]),
+    "wrong window": ({"boundary_top_from": 1, "boundary_top_until": 0.5}, ["boundary_top_until", "0.5", "boundary_top_from"]),
+    "missing restart": ({"restart": "no/such/run"}, ["no/such/run", "exist"]),
+}
+
+program, checks = Program(), Checks("wrong input")
+
+
+def complain(what, case, options, words, directory=None, may_exist=False):
+    """One run that must fail with one line."""
+    directory = directory or program.work / what.replace(" ", "_")
+    before = sorted(directory.rglob("*")) if directory.is_dir() else None
+    run = program.run(case, "", {"output_dir": directory, **options}, must_work=False, timeout=60)
+    ours = [line for line in run.errors.splitlines() if "scree:" in line]
+    noise = [line for line in run.errors.splitlines() if "PETSC ERROR" in line or "terminate called" in line]
+    if program.ranks == 1:
+        noise = [line for line in run.errors.splitlines() if line not in ours]
+    line = ours[0] if ours else ""
+    missing = [word for word in words if word not in line]
+    after = sorted(directory.rglob("*")) if directory.is_dir() else None
+    checks.true(f"{what}: '{line}'", len(ours) == 1 and not noise and not missing and run.code > 0 and before == after,
+                f"lines {len(ours)}, noise {noise[:2]}, missing {missing}, exit {run.code}, written {before != after}")
+
+
+for what, (options, words) in OPTIONS.items():
+    complain(what, CASE, options, words)
+
+bad = program.work / "bad.yaml"
+bad.write_text("grid: {x_edges: [0, 1\n  - nonsense: : :\n")
+complain("bad YAML", bad, {}, ["bad.yaml", "YAML"])
+complain("missing case file", program.work / "none.yaml", {}, ["none.yaml", "readable"])
+
+tiny = {"grid_x_cells": "1, 3", "grid_y_cells": "1, 8", "end_time": 1e-4}
+(program.work / "a_file").write_text("in the way\n")
+complain("output directory is a file", CASE, tiny, ["a_file"], program.work / "a_file")
+complain("output directory cannot be made", CASE, tiny, ["a_file/out"], program.work / "a_file" / "out")
+done = program.run(CASE, "done", tiny)
+complain("existing run", CASE, tiny, ["done", "already"], done.directory)
+
+later = {**tiny, "end_time": 2e-4}
+complain("restart with another grid", CASE, {**later, "grid_y_cells": "1, 9", "restart": done.directory},
+         ["is of another case", "cells along y"])
+complain("restart with another model", CASE, {**later, "friction_model": "critical_state", "restart": done.directory},
+         ["is of another case"])
+complain("end_time before the restart", CASE, {**tiny, "end_time": 5e-5, "restart": done.directory}, ["end_time"])
+broken = program.work / "broken"
+shutil.copytree(done.directory / "checkpoints", broken)
+file = sorted(broken.glob("*.h5"))[-1]
+file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+complain("truncated checkpoint", CASE, {**later, "restart": broken}, ["cannot be used"])
+foreign = program.work / "foreign"
+foreign.mkdir()
+shutil.copy(sorted((done.directory / "fields").glob("*.h5"))[-1], foreign / "00000001.h5")
+complain("foreign HDF5 file", CASE, {**later, "restart": foreign}, ["not a checkpoint of Scree"])
+(foreign / "00000001.h5").write_text("no HDF5\n")
+complain("no HDF5 file", CASE, {**later, "restart": foreign}, ["not an HDF5 file"])
+checks.verdict()
