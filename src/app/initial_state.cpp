@@ -71,8 +71,8 @@ class SolidsFraction {
     if (region.profile != InitialRegion::Profile::equilibrium) return;
     axis_ = gravity_axis(scene.model.gravity);
     const double g = scene.model.gravity[axis_];
-    column_ = equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface,
-                                 region.janssen_width, scene);
+    column_ =
+        equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface, region.janssen_width, scene);
   }
   double at(const Lattice& grid, const Index& I) const {
     if (!column_.empty()) return column_[static_cast<std::size_t>(I[axis_])];
@@ -95,8 +95,8 @@ bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, in
 
 }  // namespace
 
-std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface,
-                                       double janssen_width, const Case& scene) {
+std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface, double janssen_width,
+                                       const Case& scene) {
   const double rho_g = scene.kinetic.rho_s * gravity;
   const double loss_rate = janssen_width > 0 ? 2 * std::tan(scene.wall.delta) / janssen_width : 0;
   std::vector<double> nu(static_cast<std::size_t>(axis.cells()), 0.0);

@@ -15,7 +15,8 @@ namespace {
 
 bool given(int argc, char** argv, const char* option) {
   for (int k = 1; k < argc; ++k)
-    if (std::strcmp(argv[k], option) == 0 || std::strcmp(argv[k], (std::string("-") + option).c_str()) == 0) return true;
+    if (std::strcmp(argv[k], option) == 0 || std::strcmp(argv[k], (std::string("-") + option).c_str()) == 0)
+      return true;
   return false;
 }
 

@@ -17,7 +17,8 @@ double reduced(double value, MPI_Op operation, DM dm) {
 }  // namespace
 
 Measures::Measures(const Case& scene, const DiscreteProblem& problem) : scene_(scene), problem_(problem) {
-  const double missing = std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
+  const double missing =
+      std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
   mass_per_volume_ = scene.kinetic.rho_s * missing * scene.output.mirror;
   columns_ = {{"discharge_rate", "kg/s"}, {"mass", "kg"}, {"bed_height", "m"}, {"speed_max", "m/s"}};
   for (const Field& field : problem.model().fields()) {
@@ -70,8 +71,8 @@ double Measures::greatest_speed(Vec state) const {
     if (field.face_axis >= 0)
       for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
         if (grid.is_face(field.face_axis, I))
-          greatest = std::max(
-              greatest, field.scale * std::abs(x[grid.owned(I) * problem_.model().unknowns() + field.component]));
+          greatest = std::max(greatest,
+                              field.scale * std::abs(x[grid.owned(I) * problem_.model().unknowns() + field.component]));
       });
   check_petsc(VecRestoreArrayRead(state, &x), "speed");
   return reduced(greatest, MPI_MAX, problem_.dm());
@@ -100,8 +101,9 @@ double Measures::bed_height(Vec state) const {
     const Index above = I + sign * unit(up);
     if (!grid.inside(I) || nu(I) < mark || (grid.inside(above) && nu(above) >= mark)) return;
     const double here = vertical.centre(I[up]);
-    const double z = grid.inside(above) ? here + (nu(I) - mark) / (nu(I) - nu(above)) * (vertical.centre(above[up]) - here)
-                                        : vertical.face(sign > 0 ? I[up] + 1 : I[up]);
+    const double z = grid.inside(above)
+                         ? here + (nu(I) - mark) / (nu(I) - nu(above)) * (vertical.centre(above[up]) - here)
+                         : vertical.face(sign > 0 ? I[up] + 1 : I[up]);
     Index column = I;
     column[up] = 0;
     double& highest = top[(static_cast<std::size_t>(column[2]) * extent[1] + column[1]) * extent[0] + column[0]];

@@ -26,8 +26,7 @@ PhaseClock::PhaseClock(MPI_Comm comm) : comm_(comm), started_(MPI_Wtime()) {
   check_petsc(PCInitializePackage(), "logging");
   check_petsc(PetscLogDefaultBegin(), "logging");
   const char* names[] = {"SNESFunctionEval", "SNESJacobianEval", "PCSetUp", "PCSetUpOnBlocks", "KSPSolve"};
-  for (std::size_t k = 0; k < events_.size(); ++k)
-    check_petsc(PetscLogEventGetId(names[k], &events_[k]), "logging");
+  for (std::size_t k = 0; k < events_.size(); ++k) check_petsc(PetscLogEventGetId(names[k], &events_[k]), "logging");
   start_ = now();
 }
 

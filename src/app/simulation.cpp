@@ -115,9 +115,9 @@ void Simulation::restart() {
                          {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
                          static_cast<int>(saved.scalar("easy_steps"))};
   check_petsc(stepper_->set_time(time), "restart");
-  totals_ = {saved.scalar("steps"),           saved.scalar("newton"),  saved.scalar("krylov"),
-             saved.scalar("rejected_error"),  saved.scalar("rejected_solver"), saved.scalar("limited"),
-             saved.scalar("imbalance"),       saved.scalar("initial_volume"),  saved.scalar("dt_max")};
+  totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
+             saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
+             saved.scalar("imbalance"),      saved.scalar("initial_volume"),  saved.scalar("dt_max")};
   next_fields_ = saved.scalar("next_fields");
   next_checkpoint_ = saved.scalar("next_checkpoint");
   open_outputs(time);
@@ -129,7 +129,8 @@ void Simulation::open_outputs(std::optional<double> restart_time) {
   prepare_directory(comm_, directory, scene_.output.restart, scene_.output.overwrite);
   monitor_ = std::make_unique<MonitorFile>(comm_, directory + "/monitor.csv", monitor_columns(), restart_time);
   on_first_rank(comm_, [&] { write_text_atomically(directory + "/case.yaml", scene_.effective_yaml); });
-  fields_ = std::make_unique<FieldWriter>(directory, scene_.box, problem_.dm(), problem_.model().fields(), restart_time);
+  fields_ =
+      std::make_unique<FieldWriter>(directory, scene_.box, problem_.dm(), problem_.model().fields(), restart_time);
   stop_ = std::make_unique<StopRequest>(comm_, scene_.output.wall_clock_budget);
 }
 
@@ -161,8 +162,10 @@ void Simulation::run() {
       write_checkpoint();
       write_summary("no step works");
       char what[200];
-      std::snprintf(what, sizeof what, "no step of at least time_step_min = %g s works at t = %g s (%s); the checkpoint "
-                    "holds the last good state", scene_.time.step_min, stepper_->time(), report.reason.c_str());
+      std::snprintf(what, sizeof what,
+                    "no step of at least time_step_min = %g s works at t = %g s (%s); the checkpoint "
+                    "holds the last good state",
+                    scene_.time.step_min, stepper_->time(), report.reason.c_str());
       throw std::runtime_error(what);
     }
     account(report);
@@ -247,26 +250,26 @@ void Simulation::write_checkpoint() {
   const double interval = scene_.output.checkpoint_interval;
   if (interval > 0) next_checkpoint_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
   const StepHistory& history = stepper_->history();
-  scree::write_checkpoint(
-      scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(), problem_.model().fields(),
-      {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
-      {{"time", stepper_->time()},
-       {"dt_next", history.dt_next},
-       {"dt_past_0", history.dt_past[0]},
-       {"dt_past_1", history.dt_past[1]},
-       {"easy_steps", history.easy_steps},
-       {"steps", totals_.steps},
-       {"newton", totals_.newton},
-       {"krylov", totals_.krylov},
-       {"rejected_error", totals_.rejected_error},
-       {"rejected_solver", totals_.rejected_solver},
-       {"limited", totals_.limited},
-       {"imbalance", totals_.imbalance},
-       {"initial_volume", totals_.initial_volume},
-       {"dt_max", totals_.dt_max},
-       {"next_fields", next_fields_},
-       {"next_checkpoint", next_checkpoint_}},
-      {{"case", scene_.effective_yaml}});
+  scree::write_checkpoint(scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(),
+                          problem_.model().fields(),
+                          {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
+                          {{"time", stepper_->time()},
+                           {"dt_next", history.dt_next},
+                           {"dt_past_0", history.dt_past[0]},
+                           {"dt_past_1", history.dt_past[1]},
+                           {"easy_steps", history.easy_steps},
+                           {"steps", totals_.steps},
+                           {"newton", totals_.newton},
+                           {"krylov", totals_.krylov},
+                           {"rejected_error", totals_.rejected_error},
+                           {"rejected_solver", totals_.rejected_solver},
+                           {"limited", totals_.limited},
+                           {"imbalance", totals_.imbalance},
+                           {"initial_volume", totals_.initial_volume},
+                           {"dt_max", totals_.dt_max},
+                           {"next_fields", next_fields_},
+                           {"next_checkpoint", next_checkpoint_}},
+                          {{"case", scene_.effective_yaml}});
   check_petsc(stepper_->forget_preconditioner(), "checkpoint");
 }
 
@@ -295,8 +298,11 @@ void Simulation::write_summary(const std::string& end) {
   summary["unknowns_limited"] = totals_.limited;
   summary["dt_max"] = totals_.dt_max;
   summary["wall_seconds"] = clock_.wall();
-  summary["cpu_seconds"] = {{"total", cpu.cpu},      {"residual", cpu.residual}, {"jacobian", cpu.jacobian},
-                            {"preconditioner_setup", cpu.setup}, {"krylov", cpu.solve}};
+  summary["cpu_seconds"] = {{"total", cpu.cpu},
+                            {"residual", cpu.residual},
+                            {"jacobian", cpu.jacobian},
+                            {"preconditioner_setup", cpu.setup},
+                            {"krylov", cpu.solve}};
   summary["cpu_seconds_per_step"] = totals_.steps > 0 ? cpu.cpu / totals_.steps : 0;
   summary["peak_memory_per_rank_bytes"] = clock_.peak_memory_per_rank();
   char version[256];

@@ -5,7 +5,9 @@ namespace scree {
 void declare_solver(OptionSet& o, Case& scene) {
   o.group("solver");
   o.choice("solver", scene.solver.preset,
-           {{"direct", SolverPreset::direct}, {"ilu", SolverPreset::ilu}, {"multigrid", SolverPreset::multigrid},
+           {{"direct", SolverPreset::direct},
+            {"ilu", SolverPreset::ilu},
+            {"multigrid", SolverPreset::multigrid},
             {"fieldsplit", SolverPreset::fieldsplit}},
            "named set of PETSc options for the linear systems");
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
@@ -13,7 +15,8 @@ void declare_solver(OptionSet& o, Case& scene) {
   o.real("scale_velocity", scene.scale_velocity, "m/s", non_negative(),
          "scale of velocities; 0: sqrt(g d), or 0.1 m/s without gravity");
   std::string based_on;
-  o.text("based_on", based_on, "a case file", "case file, beside this one, that this file overrides").unset_by_default("none");
+  o.text("based_on", based_on, "a case file", "case file, beside this one, that this file overrides")
+      .unset_by_default("none");
   bool print_options = false;
   o.boolean("print_options", print_options, "print the table of options and end").unset_by_default("no");
 }

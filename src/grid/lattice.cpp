@@ -34,8 +34,8 @@ Lattice::Lattice(const Box& box, DM dm) : dim(box.dim) {
     axes[axis] = axis < dim ? Axis(box.faces[axis], box.periodic[axis]) : Axis({0.0, 1.0}, false);
   DMDAGetCorners(dm, &owned_first[0], &owned_first[1], &owned_first[2], &owned_count[0], &owned_count[1],
                  &owned_count[2]);
-  DMDAGetGhostCorners(dm, &ghosted_first[0], &ghosted_first[1], &ghosted_first[2], &ghosted_count[0],
-                      &ghosted_count[1], &ghosted_count[2]);
+  DMDAGetGhostCorners(dm, &ghosted_first[0], &ghosted_first[1], &ghosted_first[2], &ghosted_count[0], &ghosted_count[1],
+                      &ghosted_count[2]);
 }
 
 bool Lattice::is_owned(const Index& I) const {
@@ -80,8 +80,8 @@ PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stenci
                            unknowns, stencil_width, nullptr, nullptr, dm));
   else
     PetscCall(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, nodes[0], nodes[1], nodes[2],
-                           PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, unknowns, stencil_width, nullptr, nullptr,
-                           nullptr, dm));
+                           PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, unknowns, stencil_width, nullptr, nullptr, nullptr,
+                           dm));
   PetscCall(DMSetFromOptions(*dm));
   PetscCall(DMSetUp(*dm));
   PetscFunctionReturn(0);

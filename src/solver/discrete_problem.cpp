@@ -167,8 +167,8 @@ PetscErrorCode DiscreteProblem::create_matrix() {
     const auto& columns = pattern.columns[row];
     const std::vector<PetscScalar> zeros(columns.size(), 0.0);
     const PetscInt global_row = first + static_cast<PetscInt>(row);
-    PetscCall(MatSetValues(matrix_, 1, &global_row, static_cast<PetscInt>(columns.size()), columns.data(),
-                           zeros.data(), INSERT_VALUES));
+    PetscCall(MatSetValues(matrix_, 1, &global_row, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(),
+                           INSERT_VALUES));
   }
   PetscCall(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
@@ -236,7 +236,8 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, doub
   PetscCall(VecRestoreArrayRead(last_rate_, &rate));
   PetscCall(VecRestoreArrayRead(residual, &f));
   PetscCall(VecRestoreArray(state, &x));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   *imbalance = sum + outflow_rate;
   PetscFunctionReturn(0);
 }
@@ -250,7 +251,8 @@ PetscErrorCode DiscreteProblem::solids_volume(Vec state, double* volume) const {
     if (lattice_->inside(I)) sum += lattice_->volume(I) * x[lattice_->owned(I) * model_->unknowns()];
   });
   PetscCall(VecRestoreArrayRead(state, &x));
-  PetscCallMPI(MPI_Allreduce(&sum, volume, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
+  PetscCallMPI(
+      MPI_Allreduce(&sum, volume, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   PetscFunctionReturn(0);
 }
 

@@ -16,7 +16,8 @@ double bounded(double target, double lower, double upper, long& limited) {
 }  // namespace
 
 NewtonLimits::NewtonLimits(const DiscreteProblem& problem)
-    : problem_(problem), nu_max_(problem.setup().solids.friction.nu_max),
+    : problem_(problem),
+      nu_max_(problem.setup().solids.friction.nu_max),
       chi_max_(maximum_chi(problem.setup().solids.friction)) {
   for (const Field& field : problem.model().fields()) {
     if (field.symbol == "nu") nu_ = field.component;
@@ -55,7 +56,8 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
   PetscCall(VecAYPX(step, -1, state));
   self.limited_ += limited;
   long any = limited;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
   *changed = any > 0 ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(0);
 }

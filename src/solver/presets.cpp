@@ -16,8 +16,8 @@ std::string component_list(int first, int count) {
 const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
 
 /// Factorisation by MUMPS; GMRES around it lets a factorisation serve several Newton steps. Small cases, reference.
-/// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). On a plateau
-/// Jacobian of the bin, 108 k unknowns, METIS through UMFPACK took 3.2 s, AMD 2.3 s, MUMPS with PORD 1.7 s.
+/// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). On a
+/// plateau Jacobian of the bin, 108 k unknowns, METIS through UMFPACK took 3.2 s, AMD 2.3 s, MUMPS with PORD 1.7 s.
 const PetscOptionList direct{{"ksp_type", "gmres"},
                              {"ksp_pc_side", "right"},
                              {"ksp_rtol", "1e-6"},
@@ -25,12 +25,13 @@ const PetscOptionList direct{{"ksp_type", "gmres"},
                              {"pc_factor_mat_solver_type", "mumps"},
                              {"mat_mumps_icntl_14", "60"}};
 
-/// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the right:
-/// left-preconditioned norms converge falsely.
-const PetscOptionList ilu{{"ksp_type", "gmres"},        {"ksp_pc_side", "right"}, {"ksp_gmres_restart", "100"},
-                          {"ksp_max_it", "300"},        {"ksp_rtol", "1e-2"},     {"pc_type", "bjacobi"},
-                          {"sub_ksp_type", "preonly"},  {"sub_pc_type", "ilu"},   {"sub_pc_factor_levels", "1"},
-                          {"sub_pc_factor_shift_type", "nonzero"}};
+/// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the
+/// right: left-preconditioned norms converge falsely.
+const PetscOptionList ilu{{"ksp_type", "gmres"},         {"ksp_pc_side", "right"},
+                          {"ksp_gmres_restart", "100"},  {"ksp_max_it", "300"},
+                          {"ksp_rtol", "1e-2"},          {"pc_type", "bjacobi"},
+                          {"sub_ksp_type", "preonly"},   {"sub_pc_type", "ilu"},
+                          {"sub_pc_factor_levels", "1"}, {"sub_pc_factor_shift_type", "nonzero"}};
 
 /// GMRES with one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
 /// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these, and the
@@ -63,8 +64,8 @@ PetscOptionList preset_options(const std::string& preset, int unknowns) {
   } else if (preset == "multigrid") {
     append(multigrid);
   } else if (preset == "fieldsplit") {
-    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
-    // aggregation multigrid.
+    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi
+    // to aggregation multigrid.
     append({{"ksp_type", "fgmres"},
             {"ksp_gmres_restart", "60"},
             {"ksp_max_it", "100"},

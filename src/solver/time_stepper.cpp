@@ -80,7 +80,8 @@ PetscErrorCode TimeStepper::make_ts() {
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(VecGetSize(state_, &size));
   const double root = std::sqrt(static_cast<double>(size));  // tolerances are per unknown, PETSc's norm is a sum
-  PetscCall(SNESSetTolerances(snes, newton_share * control_.accuracy * root, 1e-8, 0, 15, 10000));  // stol 0: a failed line search ends with tiny steps
+  PetscCall(SNESSetTolerances(snes, newton_share * control_.accuracy * root, 1e-8, 0, 15,
+                              10000));  // stol 0: a failed line search ends with tiny steps
   PetscCall(SNESSetForceIteration(snes, PETSC_TRUE));
   PetscCall(TSSetFromOptions(ts_));
   PetscCall(SNESSetConvergenceTest(snes, converged, this, nullptr));
@@ -205,7 +206,8 @@ PetscErrorCode TimeStepper::local_error(double dt, double* error) {
     share = dt / (dt + d1);
   } else {  // Lagrange's polynomial through 0, -d1, -d1-d2 at dt
     const double s = d1 + d2;
-    PetscCall(VecAXPBYPCZ(predicted_, (dt + d1) * (dt + s) / (d1 * s), -dt * (dt + s) / (d1 * d2), 0, guess_, past_[0]));
+    PetscCall(
+        VecAXPBYPCZ(predicted_, (dt + d1) * (dt + s) / (d1 * s), -dt * (dt + s) / (d1 * d2), 0, guess_, past_[0]));
     PetscCall(VecAXPY(predicted_, dt * (dt + d1) / (s * d2), past_[1]));
     share = dt / (dt + s);
   }
@@ -238,7 +240,8 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   report->krylov += static_cast<int>(krylov[1] - krylov[0]);
   report->rejected_solver += static_cast<int>(failures[1] - failures[0]);
   if (failures[1] > failures[0]) report->reason = last_failure_;
-  preconditioner_.last_iterations = static_cast<double>(krylov[1] - krylov[0]) / std::max<PetscInt>(1, newton[1] - newton[0]);
+  preconditioner_.last_iterations =
+      static_cast<double>(krylov[1] - krylov[0]) / std::max<PetscInt>(1, newton[1] - newton[0]);
   if (preconditioner_.fresh_iterations == 0) preconditioner_.fresh_iterations = preconditioner_.last_iterations;
 
   TSConvergedReason reason;
@@ -273,8 +276,10 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   double dt = control_.adaptive ? history_.dt_next : control_.step_initial;
   const double planned = dt;
   const double left = limit - time_;
-  if (dt >= left * (1 - 1e-9)) dt = left;
-  else if (2 * dt > left && control_.adaptive) dt = left / 2;
+  if (dt >= left * (1 - 1e-9))
+    dt = left;
+  else if (2 * dt > left && control_.adaptive)
+    dt = left / 2;
   const bool cut = dt < planned;
   for (bool done = false; !done;) {
     PetscCall(attempt(dt, report, &done));

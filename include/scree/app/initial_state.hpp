@@ -13,7 +13,7 @@ void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec st
 /// has it: p_c(nu_i) - p_c(nu_above) = rho_s g nu_face distance, T4; with wall friction in a bin of width
 /// `janssen_width` > 0, less 2 tan(delta) p/W distance, T5. Cells whose centres lie above `surface` hold nothing.
 /// `down` is the sign of gravity along the axis.
-std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface,
-                                       double janssen_width, const Case& scene);
+std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface, double janssen_width,
+                                       const Case& scene);
 
 }  // namespace scree

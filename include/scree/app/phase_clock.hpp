@@ -9,20 +9,20 @@ namespace scree {
 
 /// Seconds since the clock was made, summed over the ranks.
 struct PhaseSeconds {
-  double cpu = 0;        ///< user and system
-  double residual = 0;   ///< evaluations of the residual
-  double jacobian = 0;   ///< evaluations of the Jacobian
-  double setup = 0;      ///< preconditioner set-up
-  double solve = 0;      ///< Krylov iterations with the application of the preconditioner
+  double cpu = 0;       ///< user and system
+  double residual = 0;  ///< evaluations of the residual
+  double jacobian = 0;  ///< evaluations of the Jacobian
+  double setup = 0;     ///< preconditioner set-up
+  double solve = 0;     ///< Krylov iterations with the application of the preconditioner
 };
 
 class PhaseClock {
  public:
   /// Collective. Starts PETSc's logging.
   explicit PhaseClock(MPI_Comm comm);
-  PhaseSeconds read() const;             ///< collective
-  double wall() const;                   ///< seconds since construction
-  double peak_memory_per_rank() const;   ///< collective; greatest resident set of a rank so far [byte]
+  PhaseSeconds read() const;            ///< collective
+  double wall() const;                  ///< seconds since construction
+  double peak_memory_per_rank() const;  ///< collective; greatest resident set of a rank so far [byte]
 
  private:
   std::array<double, 5> now() const;

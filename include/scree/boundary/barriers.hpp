@@ -18,8 +18,7 @@ inline bool is_wall(BoundaryKind kind) {
 class Barriers {
  public:
   /// State of the time windows at `time`. Every face of a side that is not periodic must be covered by a segment.
-  Barriers(const Lattice& lattice, const std::vector<Segment>& segments, const std::vector<Plate>& plates,
-           double time);
+  Barriers(const Lattice& lattice, const std::vector<Segment>& segments, const std::vector<Plate>& plates, double time);
 
   /// Whether the lower `axis` face of I carries a condition.
   bool at(int axis, const Index& I) const { return face_[axis][lattice_->ghosted(I)] != 0; }

@@ -21,7 +21,8 @@ namespace scree {
 
 enum class BoundaryKind { wall_johnson_jackson, wall_free_slip, wall_no_slip, symmetry, open, inlet };
 
-/// A rectangle in the plane of a side or plate; an interval in two dimensions. The entries of the normal axis are unused.
+/// A rectangle in the plane of a side or plate; an interval in two dimensions. The entries of the normal axis are
+/// unused.
 struct Patch {
   std::array<double, max_dim> lower;
   std::array<double, max_dim> upper;

@@ -21,15 +21,19 @@ enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
 struct InitialRegion {
   std::string name;
   std::array<double, max_dim> lower, upper;  ///< box [m]
-  enum class Profile { uniform, equilibrium } profile = Profile::uniform;  ///< equilibrium: nu from p_c' dnu/dz = nu rho_s g (T4), or (T5)
-  double janssen_width = 0;                  ///< > 0: equilibrium with wall friction in a plane bin of this width (T5) [m]
-  double surface = 0;                        ///< equilibrium: coordinate of the free surface along gravity's axis [m]
-  std::string table;                         ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
+  enum class Profile {
+    uniform,
+    equilibrium
+  } profile = Profile::uniform;  ///< equilibrium: nu from p_c' dnu/dz = nu rho_s g (T4), or (T5)
+  double janssen_width = 0;      ///< > 0: equilibrium with wall friction in a plane bin of this width (T5) [m]
+  double surface = 0;            ///< equilibrium: coordinate of the free surface along gravity's axis [m]
+  std::string table;             ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
   int table_axis = 0;
   bool has_solids_fraction = false, has_velocity = false, has_temperature = false, has_chi = false;
   double solids_fraction = 0;
   std::array<double, max_dim> velocity{0, 0, 0};
-  std::array<double, max_dim * max_dim> velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
+  std::array<double, max_dim * max_dim>
+      velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
   double granular_temperature = 0;
   double chi = 1;
 };
@@ -63,21 +67,21 @@ struct TimeParameters {
   double step_initial = 1e-6;
   double step_min = 1e-12;
   double step_max = 1e-2;
-  double accuracy = 1e-2;   ///< relative local error a step may make; the one accuracy knob
-  bool adaptive = true;     ///< false: fixed step = step_initial
+  double accuracy = 1e-2;  ///< relative local error a step may make; the one accuracy knob
+  bool adaptive = true;    ///< false: fixed step = step_initial
 };
 
 struct OutputParameters {
   std::string directory = "out";
-  double field_interval = 0;        ///< [s]; 0: only initial and final fields
-  double checkpoint_interval = 0;   ///< simulated [s]; 0: only at the end
-  double wall_clock_budget = 0;     ///< [s]; 0: none
-  int monitor_every = 1;            ///< steps between rows of monitor.csv
-  double depth = 0.01;              ///< plane flow: thickness of the slab that masses and rates refer to [m]
-  double mirror = 1;                ///< factor on masses and rates, 2 for half a domain
-  double bed_solids_fraction = 0.3; ///< nu that marks the bed surface in bed_height
-  std::string restart;              ///< directory to go on from; empty: none
-  bool overwrite = false;           ///< allow a directory that already holds a run
+  double field_interval = 0;         ///< [s]; 0: only initial and final fields
+  double checkpoint_interval = 0;    ///< simulated [s]; 0: only at the end
+  double wall_clock_budget = 0;      ///< [s]; 0: none
+  int monitor_every = 1;             ///< steps between rows of monitor.csv
+  double depth = 0.01;               ///< plane flow: thickness of the slab that masses and rates refer to [m]
+  double mirror = 1;                 ///< factor on masses and rates, 2 for half a domain
+  double bed_solids_fraction = 0.3;  ///< nu that marks the bed surface in bed_height
+  std::string restart;               ///< directory to go on from; empty: none
+  bool overwrite = false;            ///< allow a directory that already holds a run
 };
 
 struct SolverParameters {
@@ -91,7 +95,7 @@ struct Case {
   ModelParameters model;
   KineticParameters kinetic;
   FrictionParameters friction;
-  WallParameters wall;             ///< defaults of the segments
+  WallParameters wall;  ///< defaults of the segments
   std::vector<Segment> segments;
   std::vector<Plate> plates;
   std::vector<InitialRegion> initial;
@@ -101,8 +105,8 @@ struct Case {
   TimeParameters time;
   OutputParameters output;
   SolverParameters solver;
-  double scale_velocity = 0;       ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
-  std::string effective_yaml;      ///< the case as understood, as a case file that reruns it
+  double scale_velocity = 0;         ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
+  std::string effective_yaml;        ///< the case as understood, as a case file that reruns it
   std::vector<std::string> remarks;  ///< for the log: one line for each key that this scene does not use
 };
 

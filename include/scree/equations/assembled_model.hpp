@@ -1,4 +1,5 @@
-/// A model as the sum of its kernels: one sweep over the grid, seen by visitors that make residual, Jacobian or pattern.
+/// A model as the sum of its kernels: one sweep over the grid, seen by visitors that make residual, Jacobian or
+/// pattern.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,8 @@ template <class L, bool SecondOrder>
 class AssembledModel final : public Model {
  public:
   explicit AssembledModel(const ModelSetup& setup)
-      : setup_(setup), scene_{setup.lattice, setup.barriers, setup_.model, setup_.solids},
+      : setup_(setup),
+        scene_{setup.lattice, setup.barriers, setup_.model, setup_.solids},
         fields_(fields_of<L>(setup.scales)) {
     const double rho_s = setup_.solids.kinetic.rho_s, V = setup_.scales.velocity, t = setup_.scales.time;
     scale_[L::nu] = 1;
@@ -132,9 +134,7 @@ class AssembledModel final : public Model {
     });
   }
 
-  int ghosted_unknown(int component, const Index& I) const {
-    return setup_.lattice.ghosted(I) * L::count + component;
-  }
+  int ghosted_unknown(int component, const Index& I) const { return setup_.lattice.ghosted(I) * L::count + component; }
   int owned_unknown(int component, const Index& I) const { return setup_.lattice.owned(I) * L::count + component; }
 
   /// The rows of a kernel that are balances of this rank, as bits; 0 if the kernel has nothing to do at I. Nodes of
@@ -262,8 +262,7 @@ class AssembledModel final : public Model {
         if constexpr (L::has_chi) rows |= 1U << L::chi;
       }
       for (int axis = 0; axis < L::dim; ++axis)
-        if (setup_.model.solids_moving && grid.inside(I) && grid.inside(I - unit(axis)) &&
-            !setup_.barriers.at(axis, I))
+        if (setup_.model.solids_moving && grid.inside(I) && grid.inside(I - unit(axis)) && !setup_.barriers.at(axis, I))
           rows |= 1U << L::v(axis);
       balance_[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
     });

@@ -79,8 +79,8 @@ auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
   const bool near = scene.barriers.near(I);
   for (int a = 0; a < L::dim; ++a)
     for (int b = a + 1; b < L::dim; ++b) {
-      const auto weights = near ? edge_weights(scene, I, a, b)
-                                : std::array<std::array<double, 2>, 2>{{{0.25, 0.25}, {0.25, 0.25}}};
+      const auto weights =
+          near ? edge_weights(scene, I, a, b) : std::array<std::array<double, 2>, 2>{{{0.25, 0.25}, {0.25, 0.25}}};
       for (int side_a = 0; side_a < 2; ++side_a)
         for (int side_b = 0; side_b < 2; ++side_b) {
           if (weights[side_a][side_b] == 0) continue;

@@ -51,11 +51,9 @@ struct EdgeStress {
     const Number nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
-    const Number mu = through(
-        [&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_) {
-          return edge_closure(nu_, T_, chi_, div_v_, S_S_, scene.solids);
-        },
-        nu, T, chi, div_v, S_S);
+    const Number mu = through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_,
+                                  const auto& S_S_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, scene.solids); },
+                              nu, T, chi, div_v, S_S);
     const Number sigma = -2.0 * mu * D_ab;
 
     const bool near = scene.barriers.near(I);
@@ -74,20 +72,21 @@ struct EdgeStress {
     return (scene.barriers.at(across, I - unit(axis)) ? 0 : below) + (scene.barriers.at(across, I) ? 0 : 1 - below);
   }
 
-  /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are crosswise.
+  /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are
+  /// crosswise.
   template <class Value>
   static auto mean(const Scene& scene, const Index& I, Value&& value) {
     const double far_a = scene.axis(a).lower_share(I[a]), far_b = scene.axis(b).lower_share(I[b]);
-    return std::decay_t<decltype(value(Index{}))>((1 - far_a) * (1 - far_b) * value(cells[0]) +
-                                                  far_a * (1 - far_b) * value(cells[1]) +
-                                                  (1 - far_a) * far_b * value(cells[2]) + far_a * far_b * value(cells[3]));
+    return std::decay_t<decltype(value(Index{}))>(
+        (1 - far_a) * (1 - far_b) * value(cells[0]) + far_a * (1 - far_b) * value(cells[1]) +
+        (1 - far_a) * far_b * value(cells[2]) + far_a * far_b * value(cells[3]));
   }
 
   /// {div v, S:S} at the edge: D_ab as it is, normal components as means over the four cells, other shear components
   /// as means of the squares over the edges about.
   template <class Number>
-  static std::array<Number, 2> strain_invariants(const Scene& scene, const Index& I,
-                                                 const Local<EdgeStress, Number>& q, const Number& D_ab) {
+  static std::array<Number, 2> strain_invariants(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
+                                                 const Number& D_ab) {
     Number div_v(0.0), S_S = 2.0 * D_ab * D_ab;
     for (int axis = 0; axis < L::dim; ++axis) {
       const Number D = mean(scene, I, [&](const Index& cell) {

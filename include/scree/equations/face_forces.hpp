@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: eps is added to nu in the inertia, and
-/// a drag eps rho_s v/t_d lets the velocity there decay; gravity acts on nu alone.
+/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: eps is added to nu in the inertia,
+/// and a drag eps rho_s v/t_d lets the velocity there decay; gravity acts on nu alone.
 template <class L, int axis>
 struct FaceForces {
   static constexpr Index e = unit(axis);

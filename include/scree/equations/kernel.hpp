@@ -1,6 +1,6 @@
-/// The form of a kernel: a small piece of the residual about an anchor cell, with a fixed list of unknowns that it reads
-/// and of equations that it adds to. One source gives the residual (Number = double), the dense block of the Jacobian
-/// (Number = Dual<inputs>) and the sparsity pattern (the lists alone).
+/// The form of a kernel: a small piece of the residual about an anchor cell, with a fixed list of unknowns that it
+/// reads and of equations that it adds to. One source gives the residual (Number = double), the dense block of the
+/// Jacobian (Number = Dual<inputs>) and the sparsity pattern (the lists alone).
 ///
 /// A kernel is a type with
 ///   static constexpr auto stencil      its inputs, a StencilBuilder
@@ -65,8 +65,8 @@ struct StencilTable {
   std::array<std::int8_t, static_cast<std::size_t>(components* width* width* width)> position{};
 
   static constexpr std::size_t code(int component, const Index& offset) {
-    return static_cast<std::size_t>(
-        ((component * width + offset[2] + reach) * width + offset[1] + reach) * width + offset[0] + reach);
+    return static_cast<std::size_t>(((component * width + offset[2] + reach) * width + offset[1] + reach) * width +
+                                    offset[0] + reach);
   }
   constexpr StencilTable() {
     for (auto& entry : position) entry = -1;
@@ -84,8 +84,8 @@ struct Local {
   static constexpr StencilTable<Kernel> table{};
 
   std::array<Number, static_cast<std::size_t>(size)> value;
-  std::array<double, static_cast<std::size_t>(size)> rate;         ///< time derivatives
-  std::array<double, static_cast<std::size_t>(size)> rate_slope;   ///< d rate/d stored unknown, shift times scale
+  std::array<double, static_cast<std::size_t>(size)> rate;        ///< time derivatives
+  std::array<double, static_cast<std::size_t>(size)> rate_slope;  ///< d rate/d stored unknown, shift times scale
 
   static int position(int component, const Index& offset) {
     return table.position[StencilTable<Kernel>::code(component, offset)];

@@ -37,8 +37,7 @@ std::vector<Field> fields_of(const Scales& scales) {
   if (L::has_T)
     fields.push_back({"granular_temperature", "T", "m2/s2", "granular temperature, (9)", L::T, -1,
                       scales.velocity * scales.velocity});
-  if (L::has_chi)
-    fields.push_back({"frictional_pressure_ratio", "chi", "1", "p_f/p_c, (23)", L::chi, -1, 1});
+  if (L::has_chi) fields.push_back({"frictional_pressure_ratio", "chi", "1", "p_f/p_c, (23)", L::chi, -1, 1});
   return fields;
 }
 

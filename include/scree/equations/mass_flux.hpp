@@ -17,7 +17,8 @@ inline AdvectionMetrics cell_metrics(const Axis& axis, int i) {
 template <class L, bool SecondOrder>
 constexpr void add_mass_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
   s.add(L::v(axis), at);
-  for (int reach = SecondOrder ? -2 : -1; reach <= (SecondOrder ? 1 : 0); ++reach) s.add(L::nu, at + reach * unit(axis));
+  for (int reach = SecondOrder ? -2 : -1; reach <= (SecondOrder ? 1 : 0); ++reach)
+    s.add(L::nu, at + reach * unit(axis));
 }
 
 /// Whether the box lies above the side that carries the lower `axis` face of I.

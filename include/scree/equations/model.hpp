@@ -1,5 +1,5 @@
-/// The model of a scene as the solver sees it: its unknowns, its residual, its Jacobian. Which balances it is made of is
-/// decided once, in make_model.
+/// The model of a scene as the solver sees it: its unknowns, its residual, its Jacobian. Which balances it is made of
+/// is decided once, in make_model.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class Model {
  public:
   virtual ~Model() = default;
 
-  virtual int unknowns() const = 0;                     ///< per node
+  virtual int unknowns() const = 0;  ///< per node
   virtual const std::vector<Field>& fields() const = 0;
 
   /// Residual F(t, U, dU/dt), every owned row set. Row scales: (1) and (23) by the time scale; (3) by rho_s g.

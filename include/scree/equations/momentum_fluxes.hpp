@@ -44,8 +44,8 @@ struct NormalMomentumFlux {
     const double rho_s = scene.solids.kinetic.rho_s;
     const Axis& x = scene.axis(axis);
     const int i = I[axis];
-    const Number F = 0.5 * (mass_flux<L, SecondOrder>(scene, I, q, axis, {}) +
-                            mass_flux<L, SecondOrder>(scene, I, q, axis, e));
+    const Number F =
+        0.5 * (mass_flux<L, SecondOrder>(scene, I, q, axis, {}) + mass_flux<L, SecondOrder>(scene, I, q, axis, e));
     const Number &below = q(L::v(axis)), &above = q(L::v(axis), e);
     Number carried;
     if constexpr (SecondOrder) {

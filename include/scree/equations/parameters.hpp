@@ -17,7 +17,7 @@ struct ModelParameters {
   double temperature_floor = 1e-14;  ///< added to T under square roots [m2/s2]
   AdvectionScheme advection = AdvectionScheme::upwind;
   std::array<double, max_dim> gravity{0, 0, 0};  ///< [m/s2]
-  bool solids_moving = true;          ///< false: nu and v are frozen at their initial values
+  bool solids_moving = true;                     ///< false: nu and v are frozen at their initial values
   double void_fraction_floor = 1e-5;  ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
   double void_drag_time = 1e-2;       ///< t_d of that drag [s]
 };

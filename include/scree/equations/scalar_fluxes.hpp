@@ -102,11 +102,10 @@ struct ScalarFluxes {
     const Number nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number T_face = face_mean(scene, axis, I, below, above);
     const SolidsParameters& p = scene.solids;
-    const Number kappa = through(
-        [&](const auto& nu, const auto& T) {
-          return conductivity(nu, sqrt_temperature(T, p.temperature_floor), p.kinetic);
-        },
-        nu_face, T_face);
+    const Number kappa =
+        through([&](const auto& nu,
+                    const auto& T) { return conductivity(nu, sqrt_temperature(T, p.temperature_floor), p.kinetic); },
+                nu_face, T_face);
     return kappa * (below - above) / scene.axis(axis).distance(I[axis]);
   }
 };

@@ -88,8 +88,8 @@ struct WallLaws {
                               const Strain& strain, const Condition& wall, std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
     const auto [p_f, mu_f, T, sqrt_T] =
-        cell_closures<L, CellClosure::frictional_pressure, CellClosure::frictional_viscosity,
-                      CellClosure::temperature, CellClosure::sqrt_temperature>(scene, q, strain);
+        cell_closures<L, CellClosure::frictional_pressure, CellClosure::frictional_viscosity, CellClosure::temperature,
+                      CellClosure::sqrt_temperature>(scene, q, strain);
     const Number N = p_f - 2.0 * mu_f * strain.S(axis);
     Number mean_slip_squared(0.0);
     int row = 0;

@@ -20,9 +20,9 @@ class Axis {
 
   int cells() const { return cells_; }
   bool periodic() const { return periodic_; }
-  double width(int i) const { return width_[i + halo]; }      ///< of cell i [m]
+  double width(int i) const { return width_[i + halo]; }        ///< of cell i [m]
   double distance(int i) const { return distance_[i + halo]; }  ///< of the centres of cells i-1 and i, about face i [m]
-  double face(int i) const { return face_[i + halo]; }         ///< position of face i, the lower one of cell i [m]
+  double face(int i) const { return face_[i + halo]; }          ///< position of face i, the lower one of cell i [m]
   double centre(int i) const { return face(i) + 0.5 * width(i); }
   /// Share of cell i-1 in the control volume about face i; the share of cell i is the rest [-].
   double lower_share(int i) const { return lower_share_[i + halo]; }

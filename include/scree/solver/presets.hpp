@@ -12,7 +12,8 @@ namespace scree {
 
 using PetscOptionList = std::vector<std::pair<std::string, std::string>>;
 
-/// Options of preset "direct", "ilu", "multigrid" or "fieldsplit" for a node of `unknowns` unknowns, nu being the first.
+/// Options of preset "direct", "ilu", "multigrid" or "fieldsplit" for a node of `unknowns` unknowns, nu being the
+/// first.
 PetscOptionList preset_options(const std::string& preset, int unknowns);
 
 /// Puts those options that are not set yet into the options database.

@@ -11,24 +11,24 @@
 namespace scree {
 
 struct StepControl {
-  std::string scheme = "beuler";  ///< beuler, bdf (order 2) or arkimex
+  std::string scheme = "beuler";                                  ///< beuler, bdf (order 2) or arkimex
   double step_initial = 1e-6, step_min = 1e-12, step_max = 1e-2;  ///< [s]
-  double accuracy = 1e-2;    ///< root mean square of the local error of a step, in units of the scales
-  bool adaptive = true;      ///< false: every step is step_initial
-  bool extrapolate = true;   ///< first guess of Newton's method after several easy steps
+  double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales
+  bool adaptive = true;     ///< false: every step is step_initial
+  bool extrapolate = true;  ///< first guess of Newton's method after several easy steps
 };
 
 /// What a step took.
 struct StepReport {
-  double time = 0, dt = 0;       ///< reached; made [s]
-  int newton = 0, krylov = 0;    ///< iterations, failed attempts included
-  int rejected_error = 0;        ///< attempts given up since the local error was too large
-  int rejected_solver = 0;       ///< attempts given up since Newton or Krylov failed
-  std::string reason;            ///< of the last failure of the solver
-  long limited = 0;              ///< unknowns held back by NewtonLimits on this rank
-  bool failed = false;           ///< no step of at least step_min worked; the state is that before the step
-  double error = 0;              ///< local error over accuracy; 0 where there is no estimate yet
-  double imbalance = 0;          ///< of solids volume over the step, see TimeStepper [m^dim]
+  double time = 0, dt = 0;     ///< reached; made [s]
+  int newton = 0, krylov = 0;  ///< iterations, failed attempts included
+  int rejected_error = 0;      ///< attempts given up since the local error was too large
+  int rejected_solver = 0;     ///< attempts given up since Newton or Krylov failed
+  std::string reason;          ///< of the last failure of the solver
+  long limited = 0;            ///< unknowns held back by NewtonLimits on this rank
+  bool failed = false;         ///< no step of at least step_min worked; the state is that before the step
+  double error = 0;            ///< local error over accuracy; 0 where there is no estimate yet
+  double imbalance = 0;        ///< of solids volume over the step, see TimeStepper [m^dim]
 };
 
 /// Everything that a step depends on beside the state, for checkpoints.
@@ -54,8 +54,8 @@ class TimeStepper {
   PetscErrorCode create(double time);
   /// Makes one step that does not pass `limit`.
   PetscErrorCode step(double limit, StepReport* report);
-  /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall not
-  /// depend on whether the run was interrupted there.
+  /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall
+  /// not depend on whether the run was interrupted there.
   PetscErrorCode forget_preconditioner();
   /// After the conditions of the problem have changed: matrix and history are made anew.
   PetscErrorCode restart_after_event();
