@@ -96,7 +96,9 @@ double Measures::bed_height(Vec state) const {
                           sign * (sign > 0 ? vertical.face(0) : vertical.face(vertical.cells())));
   GhostedArray u;
   check_petsc(u.open(problem_.dm(), state), "bed height");
-  const auto nu = [&](const Index& I) { return u.data()[grid.ghosted(I) * problem_.model().unknowns()]; };
+  const auto nu = [&](const Index& I) {
+    return u.data()[grid.ghosted(I) * problem_.model().unknowns() + Model::solids_fraction];
+  };
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
     const Index above = I + sign * unit(up);
     if (!grid.inside(I) || nu(I) < mark || (grid.inside(above) && nu(above) >= mark)) return;

@@ -227,8 +227,8 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, doub
   PetscCall(VecGetArrayRead(last_rate_, &rate));
   double sum = 0;
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-    if (!model_->is_balance(0, I)) return;
-    const int nu = grid.owned(I) * unknowns;
+    if (!model_->is_balance(Model::solids_fraction, I)) return;
+    const int nu = grid.owned(I) * unknowns + Model::solids_fraction;
     const double excess = f[nu] / model_->continuity_scale();
     x[nu] -= excess / last_shift_;
     sum += grid.volume(I) * (rate[nu] - excess);
@@ -248,7 +248,8 @@ PetscErrorCode DiscreteProblem::solids_volume(Vec state, double* volume) const {
   PetscCall(VecGetArrayRead(state, &x));
   double sum = 0;
   for_each_node(lattice_->owned_first, lattice_->owned_count, [&](const Index& I) {
-    if (lattice_->inside(I)) sum += lattice_->volume(I) * x[lattice_->owned(I) * model_->unknowns()];
+    if (lattice_->inside(I))
+      sum += lattice_->volume(I) * x[lattice_->owned(I) * model_->unknowns() + Model::solids_fraction];
   });
   PetscCall(VecRestoreArrayRead(state, &x));
   PetscCallMPI(

@@ -2,9 +2,10 @@
 import numpy as np
 from scree_program import DIRECT, Checks, Program
 
-# Steps given and Newton converged: then only rounding and its growth tell two ways to the same solution apart.
-TIGHT = {"time_step_adaptive": "no", "time_step_initial": 4e-4, "snes_rtol": 1e-9, "snes_atol": 1e-9, "snes_stol": 1e-12,
-         "end_time": 0.02}
+# Steps given and short enough to need no cuts, Newton converged: then only rounding and its growth tell two ways to the
+# same solution apart.
+TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "snes_rtol": 1e-9, "snes_atol": 1e-8, "snes_stol": 1e-12,
+         "end_time": 1e-3}
 UNKNOWNS = ("solids_fraction", "velocity_x_face", "velocity_y_face", "granular_temperature", "frictional_pressure_ratio")
 
 
@@ -34,7 +35,10 @@ checks.below("1 rank against 2 ranks, relative", difference(one.fields, two.fiel
 
 for preset in ("ilu", "multigrid", "fieldsplit"):
     other = program.run("small_bin.yaml", f"preset_{preset}", {**TIGHT, "solver": preset})
-    checks.below(f"preset {preset} against direct, relative", difference(one.fields, other.fields), 1e-6)
+    cut = int(other.summary["rejected_solver"])  # a step that the linear solver cuts leaves another path of steps
+    checks.below(f"preset {preset}: steps cut by the solver", cut, 2)
+    checks.below(f"preset {preset} against direct, {cut} steps cut, relative", difference(one.fields, other.fields),
+                 1e-3 if cut else 1e-6)
 
 full = {"grid_x_edges": "-4 cm, -1 cm, 1 cm, 4 cm", "grid_x_cells": "9, 6, 9", "boundary_centreline_kind": "wall_johnson_jackson",
         "boundary_centreline_patch": "1 cm, 9 cm", "boundary_left_side": "x_lower", "boundary_left_kind": "open",

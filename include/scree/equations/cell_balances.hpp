@@ -9,15 +9,7 @@ namespace scree {
 /// Anchor I: cell I.
 template <class L>
 struct CellBalances {
-  static constexpr StencilBuilder make_stencil() {
-    StencilBuilder s;
-    s.add(L::nu, {});
-    s.add(L::T, {});
-    s.add(L::chi, {});
-    add_cell_strain_inputs<L>(s);
-    return s;
-  }
-  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr StencilBuilder stencil = cell_stencil<L>();
 
   static constexpr int nu_row = 2 * L::dim, T_row = nu_row + 1, chi_row = T_row + (L::has_T ? 1 : 0);
   static constexpr int row_count = chi_row + (L::has_chi ? 1 : 0);

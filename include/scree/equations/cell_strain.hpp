@@ -20,6 +20,17 @@ constexpr void add_cell_strain_inputs(StencilBuilder& s) {
     }
 }
 
+/// The stencil of kernels that evaluate the closures of their anchor cell.
+template <class L>
+constexpr StencilBuilder cell_stencil() {
+  StencilBuilder s;
+  s.add(L::nu, {});
+  s.add(L::T, {});
+  s.add(L::chi, {});
+  add_cell_strain_inputs<L>(s);
+  return s;
+}
+
 /// Weights of the four edges of cell I about axes a, b, [side along a][side along b], in the mean of D_ab^2.
 /// At a wall with slip the velocity beyond is unknown: the edge takes the shear rate of the opposite edge of the cell.
 /// Where there is no shear by the condition (symmetry, free slip), and between barriers one cell apart, the edge counts

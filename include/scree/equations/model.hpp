@@ -33,7 +33,8 @@ class Model {
  public:
   virtual ~Model() = default;
 
-  virtual int unknowns() const = 0;  ///< per node
+  static constexpr int solids_fraction = 0;  ///< component of nu, the first in every layout
+  virtual int unknowns() const = 0;          ///< per node
   virtual const std::vector<Field>& fields() const = 0;
 
   /// Residual F(t, U, dU/dt), every owned row set. Row scales: (1) and (23) by the time scale; (3) by rho_s g.

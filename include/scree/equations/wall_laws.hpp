@@ -10,14 +10,7 @@ namespace scree {
 /// takes the part of the wall stress that lies in this cell.
 template <class L, int axis, bool upper>
 struct WallLaws {
-  static constexpr StencilBuilder stencil = [] {
-    StencilBuilder s;
-    s.add(L::nu, {});
-    s.add(L::T, {});
-    s.add(L::chi, {});
-    add_cell_strain_inputs<L>(s);
-    return s;
-  }();
+  static constexpr StencilBuilder stencil = cell_stencil<L>();
 
   static constexpr int T_row = 2 * (L::dim - 1);
   static constexpr int row_count = T_row + (L::has_T ? 1 : 0);
