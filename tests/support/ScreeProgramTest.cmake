@@ -24,6 +24,6 @@ function(scree_program_test label name)
       COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:scree> --ranks ${ranks}
               --work ${CMAKE_CURRENT_BINARY_DIR}/${name}_${ranks} -- ${SCREE_LAUNCHER})
     set_tests_properties(${test} PROPERTIES LABELS ${label} PROCESSORS ${ranks} TIMEOUT ${ARG_TIMEOUT}
-      ENVIRONMENT "OMP_NUM_THREADS=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
+      ENVIRONMENT "OMP_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
   endforeach()
 endfunction()

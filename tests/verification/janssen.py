@@ -2,7 +2,7 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-from scree_program import DIRECT, Checks, Program, centres
+from scree_program import Checks, Program, centres
 
 RHO, G, W, TAN = 2900.0, 9.81, 0.08, np.tan(np.radians(12.3))
 TABLE = {10: (12962, .598222), 30: (25221, .603685), 50: (29423, .604883)}  # depth [cm]: p [dyn/cm2], nu
@@ -27,7 +27,8 @@ checks.close("reference limit of p [dyn/cm2]", limit * 10, 31598, relative=1e-4)
 # Ends of the bed: the creep from the centre to the walls turns there, and normal strains bring normal stress differences,
 # which the profile leaves out: 1 % after .3 s. Coming from 17 to 30 % less, the bed is slower still: 6 % after 1 s.
 for width, end, tolerance in ((8, 0.3, 0.012), (6, 1.0, 0.06)):
-    options = {**DIRECT, "initial_fill_janssen_width": f"{width} cm", "end_time": end}
+    # ilu: with exact linear solves Newton runs into its limits above the sinking surface, and the steps collapse
+    options = {"solver": "ilu", "initial_fill_janssen_width": f"{width} cm", "end_time": end}
     run = program.run("janssen.yaml", f"start_{width}", options)
     last, first = run.fields, run.first_fields
     z = 0.85 - centres(last["y_faces"])

@@ -28,7 +28,7 @@ class PhaseClock {
   std::array<double, 5> now() const;
   MPI_Comm comm_;
   double started_;
-  std::array<PetscLogEvent, 5> events_{};
+  std::array<PetscLogEvent, 4> events_{};
   std::array<double, 5> start_{};
 };
 
