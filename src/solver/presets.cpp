@@ -21,6 +21,7 @@ const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
 const PetscOptionList direct{{"ksp_type", "gmres"},
                              {"ksp_pc_side", "right"},
                              {"ksp_rtol", "1e-6"},
+                             {"ksp_max_it", "30"},
                              {"pc_type", "lu"},
                              {"pc_factor_mat_solver_type", "mumps"},
                              {"mat_mumps_icntl_14", "60"}};

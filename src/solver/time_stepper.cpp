@@ -126,12 +126,16 @@ PetscErrorCode TimeStepper::restart_after_event() {
 
 PetscErrorCode TimeStepper::forget_preconditioner() {
   PetscFunctionBeginUser;
-  SNES snes;
+  preconditioner_ = {};
+  if (control_.scheme == "beuler") {  // KSPReset leaves traces in multigrid: the next steps would differ in the last bits
+    PetscCall(make_ts());
+    PetscFunctionReturn(0);
+  }
+  SNES snes;  // the other schemes would lose their past states with TS
   KSP ksp;
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPReset(ksp));
-  preconditioner_ = {};
   PetscFunctionReturn(0);
 }
 
@@ -276,7 +280,7 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   double dt = control_.adaptive ? history_.dt_next : control_.step_initial;
   const double planned = dt;
   const double left = limit - time_;
-  if (dt >= left * (1 - 1e-9))
+  if (dt >= left * (1 - 1e-6))  // no remainder that is a step of rounding errors
     dt = left;
   else if (2 * dt > left && control_.adaptive)
     dt = left / 2;

@@ -10,7 +10,7 @@ import numpy as np
 from scree_program import Checks, Program, Run
 
 END = 0.03
-RUN = {"solver": "ilu", "end_time": END, "checkpoint_interval": 0.01}
+RUN = {"solver": "ilu", "snes_atol": 1e-4, "end_time": END, "checkpoint_interval": 0.01}
 
 
 def same_bits(a, b):
@@ -18,7 +18,9 @@ def same_bits(a, b):
 
 
 def greatest_difference(a, b):
-    return max(np.abs(a[name] - b[name]).max() for name in ("solids_fraction", "velocity_x_face", "velocity_y_face"))
+    """Of nu, and of the velocity where there are particles [m/s]."""
+    there = a["solids_fraction"] > 1e-3
+    return max(np.abs((a[name] - b[name])[there]).max() for name in ("solids_fraction", "velocity"))
 
 
 def stop_midway(program, name, options, number, after):
@@ -52,7 +54,7 @@ for name, ranks in (("same_ranks", program.ranks), ("other_ranks", 3 - program.r
                     f"differ by {greatest_difference(whole.fields, again.fields):.1e}")
         checks.true("same ranks: times of the steps", np.array_equal(steps, again.monitor["time"]))
     else:
-        checks.below("other ranks: greatest difference of nu and v", greatest_difference(whole.fields, again.fields), 1e-3)
+        checks.below("other ranks: greatest difference of nu and v", greatest_difference(whole.fields, again.fields), 2e-3)
 
 # A signal to the process (one rank) or to mpirun, which passes on SIGUSR1 alone.
 numbers = (signal.SIGTERM, signal.SIGUSR1) if program.ranks == 1 else (signal.SIGUSR1,)
@@ -66,5 +68,5 @@ for number in numbers:
     finished = program.run("small_bin.yaml", name, {**RUN, "restart": stopped.directory})
     checks.equal(f"{number.name}: time at the end", finished.summary["time"], whole.summary["time"])
     checks.below(f"{number.name}: greatest difference of nu and v [m/s] to the uninterrupted run",
-                 greatest_difference(whole.fields, finished.fields), 1e-3)
+                 greatest_difference(whole.fields, finished.fields), 2e-3)
 checks.verdict()
