@@ -59,10 +59,10 @@ std::array<Number, CellClosure::count> cell_closure(const SolidsPoint<Number>& q
 }
 
 /// 1 in all but voids, 0 in them: production balances dissipation only where particles collide within a few diameters.
-/// Half at nu = .008, 1 - 2e-9 at .1. Without it T grows as (d S/nu)^2 in voids, whose pressure drives v to infinity.
+/// Half at nu = .006, 1 - 2e-10 at .1. Without it T grows as (d S/nu)^2 in voids, whose pressure drives v to infinity.
 template <class Number>
 Number local_equilibrium_share(const Number& nu) {
-  constexpr double dilute = 8e-3;
+  constexpr double dilute = 6e-3;
   const Number power = integer_power(nu / dilute, 8);
   return power / (1.0 + power);
 }
