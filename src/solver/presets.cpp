@@ -18,12 +18,9 @@ const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
 /// Factorisation by MUMPS; GMRES around it lets a factorisation serve several Newton steps. Small cases, reference.
 /// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). On a
 /// plateau Jacobian of the bin, 108 k unknowns, METIS through UMFPACK took 3.2 s, AMD 2.3 s, MUMPS with PORD 1.7 s.
-const PetscOptionList direct{{"ksp_type", "gmres"},
-                             {"ksp_pc_side", "right"},
-                             {"ksp_rtol", "1e-6"},
-                             {"ksp_max_it", "30"},
-                             {"pc_type", "lu"},
-                             {"pc_factor_mat_solver_type", "mumps"},
+const PetscOptionList direct{{"ksp_type", "gmres"},       {"ksp_pc_side", "right"},
+                             {"ksp_rtol", "1e-6"},        {"ksp_max_it", "30"},
+                             {"pc_type", "lu"},           {"pc_factor_mat_solver_type", "mumps"},
                              {"mat_mumps_icntl_14", "60"}};
 
 /// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the

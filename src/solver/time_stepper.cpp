@@ -127,7 +127,8 @@ PetscErrorCode TimeStepper::restart_after_event() {
 PetscErrorCode TimeStepper::forget_preconditioner() {
   PetscFunctionBeginUser;
   preconditioner_ = {};
-  if (control_.scheme == "beuler") {  // KSPReset leaves traces in multigrid: the next steps would differ in the last bits
+  if (control_.scheme ==
+      "beuler") {  // KSPReset leaves traces in multigrid: the next steps would differ in the last bits
     PetscCall(make_ts());
     PetscFunctionReturn(0);
   }
