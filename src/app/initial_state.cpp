@@ -97,7 +97,8 @@ bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, in
 
 std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface, double janssen_width,
                                        const Case& scene) {
-  const double rho_g = scene.kinetic.rho_s * gravity;
+  const double buoyancy = scene.gas.model == GasModel::none ? 0 : scene.gas.rho_g;
+  const double weight = (scene.kinetic.rho_s - buoyancy) * gravity;
   const double loss_rate = janssen_width > 0 ? 2 * std::tan(scene.wall.delta) / janssen_width : 0;
   std::vector<double> nu(static_cast<std::size_t>(axis.cells()), 0.0);
   double p_above = 0, nu_above = 0;
@@ -111,9 +112,9 @@ std::vector<double> equilibrium_column(const Axis& axis, double gravity, int dow
     // Shares of the two cells in the weight of the control volume between their centres.
     const double own = first ? 1 : (down < 0 ? axis.lower_share(face) : 1 - axis.lower_share(face));
     const double loss = 0.5 * loss_rate * distance;
-    const double carried = p_above * (1 - loss) + rho_g * distance * (1 - own) * nu_above;
+    const double carried = p_above * (1 - loss) + weight * distance * (1 - own) * nu_above;
     nu_above = nu[static_cast<std::size_t>(i)] =
-        solids_fraction_under(carried, rho_g * distance * own, loss, scene.friction);
+        solids_fraction_under(carried, weight * distance * own, loss, scene.friction);
     p_above = critical_pressure(nu_above, scene.friction);
     first = false;
   }
@@ -139,6 +140,7 @@ void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec st
         if (field.symbol == "nu" && region.has_solids_fraction) value = solids_fraction.at(grid, I) / field.scale;
         if (field.symbol == "T" && region.has_temperature) value = region.granular_temperature / field.scale;
         if (field.symbol == "chi" && region.has_chi) value = region.chi / field.scale;
+        if (field.symbol == "u" && region.has_gas_velocity) value = region.gas_velocity[field.face_axis] / field.scale;
         if (field.symbol == "v" && region.has_velocity) {
           const int axis = field.face_axis;
           value = region.velocity[axis];

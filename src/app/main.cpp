@@ -42,6 +42,14 @@ std::string base_of(const std::string& file) {
   return "";
 }
 
+/// `file` and what it is based on, the base of all first.
+std::vector<std::string> chain_of(std::string file) {
+  constexpr std::size_t longest = 20;  // a circle otherwise
+  std::vector<std::string> chain;
+  for (; !file.empty() && chain.size() < longest; file = base_of(file)) chain.insert(chain.begin(), file);
+  return chain;
+}
+
 int complain(const std::string& message) {
   int rank = 0, running = 0;
   MPI_Initialized(&running);
@@ -72,9 +80,8 @@ int main(int argc, char** argv) {
     std::printf("%s", scree::option_table_markdown().c_str());
     return 0;
   }
-  std::string file = case_file(argc, argv);
-  const std::string variant = base_of(file).empty() ? "" : file;
-  if (!variant.empty()) file = base_of(variant);
+  std::vector<std::string> files = chain_of(case_file(argc, argv));
+  const std::string file = files.empty() ? "" : files.front();
   MPI_Init(&argc, &argv);
   int status = 1;
   if (file.empty()) {
@@ -83,10 +90,10 @@ int main(int argc, char** argv) {
     complain("case file '" + file + "': expected a readable YAML file");
   } else {
     // PETSc takes an argument that is no option for an unused one: the case file goes in as the third argument instead.
-    // A variant comes after its base and before the command line, where -options_file_yaml stands.
-    std::string option = "-options_file_yaml", name = variant;
+    // Variants come after their base and before the command line, where -options_file_yaml stands.
+    std::string option = "-options_file_yaml";
     std::vector<char*> options{argv[0]};
-    if (!variant.empty()) options.insert(options.end(), {option.data(), name.data()});
+    for (std::size_t k = 1; k < files.size(); ++k) options.insert(options.end(), {option.data(), files[k].data()});
     for (int k = argv[1][0] == '-' ? 1 : 2; k < argc; ++k) options.push_back(argv[k]);
     int count = static_cast<int>(options.size());
     options.push_back(nullptr);

@@ -20,29 +20,40 @@ Measures::Measures(const Case& scene, const DiscreteProblem& problem) : scene_(s
   const double missing =
       std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
   mass_per_volume_ = scene.kinetic.rho_s * missing * scene.output.mirror;
+  with_gas_ = problem.model().gas_pressure() >= 0;
+  has_gas_velocity_ = problem.model().gas_velocity(0) >= 0;
   columns_ = {{"discharge_rate", "kg/s"}, {"mass", "kg"}, {"bed_height", "m"}, {"speed_max", "m/s"}};
+  if (has_gas_velocity_) columns_.push_back({"gas_speed_max", "m/s"});
   for (const Field& field : problem.model().fields()) {
     if (field.face_axis >= 0) continue;
     columns_.push_back({field.dataset + "_min", field.unit});
     columns_.push_back({field.dataset + "_max", field.unit});
   }
-  for (const FluxPlane& plane : scene.flux_planes) columns_.push_back({"flux_" + plane.name, "kg/s"});
+  for (const FluxPlane& plane : scene.flux_planes) {
+    columns_.push_back({"flux_" + plane.name, "kg/s"});
+    if (with_gas_) columns_.push_back({"gas_flux_" + plane.name, "m3/s"});
+  }
 }
 
 std::vector<double> Measures::values(Vec state) const {
   double flux, volume;
-  check_petsc(problem_.outflow(state, &flux), "outflow");
+  check_petsc(problem_.outflow(state, Phase::solids, &flux), "outflow");
   check_petsc(problem_.solids_volume(state, &volume), "solids volume");
   std::vector<double> values{flux * mass_per_volume_, volume * mass_per_volume_, bed_height(state),
-                             greatest_speed(state)};
+                             greatest_speed(state, "v")};
+  if (has_gas_velocity_) values.push_back(greatest_speed(state, "u"));
   for (const Field& field : problem_.model().fields()) {
     if (field.face_axis >= 0) continue;
     const Range r = range(state, field);
     values.insert(values.end(), {r.least, r.greatest});
   }
   for (const FluxPlane& plane : scene_.flux_planes) {
-    check_petsc(problem_.plane_flux(state, plane.axis, plane.position, plane.patch, &flux), "flux plane");
-    values.push_back((plane.upward ? 1 : -1) * flux * mass_per_volume_);
+    const auto through = [&](Phase phase) {
+      check_petsc(problem_.plane_flux(state, phase, plane.axis, plane.position, plane.patch, &flux), "flux plane");
+      return (plane.upward ? 1 : -1) * flux;
+    };
+    values.push_back(through(Phase::solids) * mass_per_volume_);
+    if (with_gas_) values.push_back(through(Phase::gas) * mass_per_volume_ / scene_.kinetic.rho_s);
   }
   return values;
 }
@@ -62,13 +73,13 @@ Measures::Range Measures::range(Vec state, const Field& field) const {
   return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
 }
 
-double Measures::greatest_speed(Vec state) const {
+double Measures::greatest_speed(Vec state, const std::string& symbol) const {
   const Lattice& grid = problem_.lattice();
   const double* x;
   check_petsc(VecGetArrayRead(state, &x), "speed");
   double greatest = 0;
   for (const Field& field : problem_.model().fields())
-    if (field.face_axis >= 0)
+    if (field.symbol == symbol)
       for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
         if (grid.is_face(field.face_axis, I))
           greatest = std::max(greatest,

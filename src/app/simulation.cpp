@@ -8,6 +8,7 @@
 #include "scree/output/checkpoint.hpp"
 #include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
+#include "scree/solver/consistent_gas.hpp"
 #include "scree/solver/presets.hpp"
 
 namespace scree {
@@ -31,6 +32,19 @@ const char* name_of(TimeScheme scheme) {
   return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
 }
 
+/// Whether particles are there from the start or come in.
+bool has_particles(const Case& scene) {
+  const auto brings = [](const Segment& s) {
+    return s.condition.kind == BoundaryKind::inlet && s.condition.solids_fraction > 0;
+  };
+  const auto holds = [](const InitialRegion& r) {
+    return (r.has_solids_fraction && r.solids_fraction > 0) || !r.table.empty() ||
+           r.profile != InitialRegion::Profile::uniform;
+  };
+  return scene.gas.model == GasModel::none || std::any_of(scene.segments.begin(), scene.segments.end(), brings) ||
+         std::any_of(scene.initial.begin(), scene.initial.end(), holds);
+}
+
 /// Unless the case says otherwise V = sqrt(g d) and time V/g.
 Scales scales_of(const Case& scene) {
   double g = 0;
@@ -39,12 +53,13 @@ Scales scales_of(const Case& scene) {
   Scales scales;
   scales.velocity = scene.scale_velocity > 0 ? scene.scale_velocity : g > 0 ? std::sqrt(g * scene.kinetic.d) : 0.1;
   scales.time = g > 0 ? scales.velocity / g : scene.kinetic.d / scales.velocity;
+  scales.density = has_particles(scene) ? scene.kinetic.rho_s : scene.gas.rho_g;
   return scales;
 }
 
-void print_solver(MPI_Comm comm, const Case& scene, int unknowns) {
+void print_solver(MPI_Comm comm, const Case& scene, const Model& model) {
   PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
-  for (const auto& [name, value] : preset_options(name_of(scene.solver.preset), unknowns))
+  for (const auto& [name, value] : preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure()))
     PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
   PetscPrintf(comm, "\n");
 }
@@ -57,8 +72,12 @@ ProblemSetup Simulation::problem_setup(const Case& scene) {
   setup.segments = scene.segments;
   setup.plates = scene.plates;
   setup.model = scene.model;
-  setup.solids = {scene.kinetic, scene.friction, scene.model.temperature, scene.model.temperature_value,
-                  scene.model.temperature_floor};
+  setup.solids = {scene.kinetic,
+                  scene.friction,
+                  scene.model.temperature,
+                  scene.model.temperature_value,
+                  scene.model.temperature_floor,
+                  scene.gas};
   setup.scales = scales_of(scene);
   return setup;
 }
@@ -71,9 +90,9 @@ StepControl Simulation::step_control(const Case& scene) {
 Simulation::Simulation(MPI_Comm comm, const Case& scene)
     : comm_(comm), scene_(scene), problem_(problem_setup(scene)), clock_(comm) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
-  const int unknowns = problem_.model().unknowns();
-  check_petsc(apply_preset(name_of(scene_.solver.preset), unknowns), "solver preset");
-  if (scene_.solver.view) print_solver(comm, scene_, unknowns);
+  const Model& model = problem_.model();
+  check_petsc(apply_preset(name_of(scene_.solver.preset), model.unknowns(), model.gas_pressure()), "solver preset");
+  if (scene_.solver.view) print_solver(comm, scene_, model);
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
   check_petsc(stepper_->create(0), "set-up of the solver");
   measures_ = std::make_unique<Measures>(scene_, problem_);
@@ -93,10 +112,19 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene)
 
 void Simulation::start_new() {
   set_initial_state(scene_, problem_, stepper_->state());
+  make_gas_consistent();
   check_petsc(problem_.solids_volume(stepper_->state(), &totals_.initial_volume), "solids volume");
   open_outputs(std::nullopt);
   append_monitor({});
   write_fields();
+}
+
+/// p_g and u that belong to the rest of the state and to the conditions of this time.
+void Simulation::make_gas_consistent() {
+  bool done;
+  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), stepper_->time(), stepper_->state(), &done),
+              "consistent gas");
+  if (!done) PetscPrintf(comm_, "no consistent gas pressure found at t = %g s: it starts as it is\n", stepper_->time());
 }
 
 void Simulation::restart() {
@@ -117,7 +145,8 @@ void Simulation::restart() {
   check_petsc(stepper_->set_time(time), "restart");
   totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
              saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
-             saved.scalar("imbalance"),      saved.scalar("initial_volume"),  saved.scalar("dt_max")};
+             saved.scalar("imbalance"),      saved.scalar("gas_imbalance"),   saved.scalar("initial_volume"),
+             saved.scalar("dt_max")};
   next_fields_ = saved.scalar("next_fields");
   next_checkpoint_ = saved.scalar("next_checkpoint");
   open_outputs(time);
@@ -172,6 +201,7 @@ void Simulation::run() {
     if (event < scene_.time.end_time && stepper_->time() >= event * (1 - 1e-12)) {
       check_petsc(problem_.update_conditions(stepper_->time()), "time window");
       check_petsc(stepper_->restart_after_event(), "time window");
+      make_gas_consistent();
     }
     if (static_cast<long>(totals_.steps) % scene_.output.monitor_every == 0) append_monitor(report);
     if (scene_.output.field_interval > 0 && stepper_->time() >= next_fields_ * (1 - 1e-12)) write_fields();
@@ -193,7 +223,8 @@ void Simulation::account(const StepReport& report) {
   double limited = static_cast<double>(report.limited);
   MPI_Allreduce(MPI_IN_PLACE, &limited, 1, MPI_DOUBLE, MPI_SUM, comm_);
   totals_.limited += limited;
-  totals_.imbalance += report.imbalance;
+  totals_.imbalance += report.imbalance.solids;
+  totals_.gas_imbalance += report.imbalance.gas;
   totals_.dt_max = std::max(totals_.dt_max, report.dt);
 }
 
@@ -212,14 +243,25 @@ std::vector<Column> Simulation::monitor_columns() const {
                               {"cpu_jacobian", "s"},
                               {"cpu_setup", "s"},
                               {"cpu_solve", "s"}};
+  if (scene_.gas.model != GasModel::none) columns.push_back({"gas_volume_error", "1"});
   for (const auto* more : {&measures_->columns(), &probes_->columns()})
     columns.insert(columns.end(), more->begin(), more->end());
   return columns;
 }
 
+double Simulation::mass_error() const {
+  return totals_.initial_volume > 0 ? totals_.imbalance / totals_.initial_volume : totals_.imbalance;
+}
+
+/// Sum of what the gas lost or gained, over the volume it had.
+double Simulation::gas_volume_error() const {
+  double box = 1;
+  for (int axis = 0; axis < scene_.box.dim; ++axis) box *= scene_.box.upper(axis) - scene_.box.lower(axis);
+  return totals_.gas_imbalance / (box - totals_.initial_volume);
+}
+
 void Simulation::append_monitor(const StepReport& report) {
   const PhaseSeconds cpu = clock_.read();
-  const double mass_error = totals_.initial_volume > 0 ? totals_.imbalance / totals_.initial_volume : totals_.imbalance;
   std::vector<double> row{stepper_->time(),
                           report.dt,
                           static_cast<double>(report.newton),
@@ -228,12 +270,13 @@ void Simulation::append_monitor(const StepReport& report) {
                           static_cast<double>(report.rejected_solver),
                           totals_.limited,
                           report.error,
-                          mass_error,
+                          mass_error(),
                           cpu.cpu,
                           cpu.residual,
                           cpu.jacobian,
                           cpu.setup,
                           cpu.solve};
+  if (scene_.gas.model != GasModel::none) row.push_back(gas_volume_error());
   for (const auto& more : {measures_->values(stepper_->state()), probes_->values(stepper_->state())})
     row.insert(row.end(), more.begin(), more.end());
   monitor_->append(row);
@@ -265,6 +308,7 @@ void Simulation::write_checkpoint() {
                            {"rejected_solver", totals_.rejected_solver},
                            {"limited", totals_.limited},
                            {"imbalance", totals_.imbalance},
+                           {"gas_imbalance", totals_.gas_imbalance},
                            {"initial_volume", totals_.initial_volume},
                            {"dt_max", totals_.dt_max},
                            {"next_fields", next_fields_},
@@ -284,8 +328,8 @@ void Simulation::write_summary(const std::string& end) {
   summary["time"] = stepper_->time();
   const auto values = measures_->values(stepper_->state());
   for (std::size_t k = 0; k < values.size(); ++k) summary["quantities"][measures_->columns()[k].name] = values[k];
-  summary["quantities"]["mass_error"] =
-      totals_.initial_volume > 0 ? totals_.imbalance / totals_.initial_volume : totals_.imbalance;
+  summary["quantities"]["mass_error"] = mass_error();
+  if (scene_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();
   summary["cells"] = cells;
   summary["unknowns_per_cell"] = problem_.model().unknowns();
   for (const Field& field : problem_.model().fields()) summary["unknowns"].push_back(column_name(field));

@@ -12,6 +12,7 @@ OptionSet::Choices<BoundaryKind> side_kinds() {
   kinds.push_back({"symmetry", BoundaryKind::symmetry});
   kinds.push_back({"open", BoundaryKind::open});
   kinds.push_back({"inlet", BoundaryKind::inlet});
+  kinds.push_back({"gas_inlet", BoundaryKind::gas_inlet});
   return kinds;
 }
 
@@ -87,12 +88,15 @@ void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid
       declare_patches(o, key + "patch", grid.dim, false, "the whole side", "part of the side, on grid planes"),
       segment.axis, grid.dim);
   o.integer(key + "order", entry.order, -1000000, "where segments overlap the higher order holds, then the later name");
-  const bool moves = condition.kind != BoundaryKind::symmetry && condition.kind != BoundaryKind::open;
+  const bool moves = condition.kind != BoundaryKind::symmetry && condition.kind != BoundaryKind::open &&
+                     condition.kind != BoundaryKind::gas_inlet;
   o.vector(key + "velocity", condition.velocity, grid.dim, "m/s", "of the wall, or of what an inlet brings")
       .symbol("v")
       .used_if(moves, "its kind has no velocity");
+  if (!moves) condition.velocity.fill(0);
   declare_wall_values(o, key, condition.kind == BoundaryKind::wall_johnson_jackson, condition.wall);
   declare_inlet_values(o, key, scene, condition);
+  declare_gas_side(o, key, grid.dim, scene, segment);
   o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
   o.real(key + "until", condition.until, "s", any_number(), "end of its time window").unset_by_default("always");
 }
@@ -110,6 +114,7 @@ void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, 
     plate.openings.push_back(patch_from(openings, plate.axis, grid.dim, first));
   o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s", "of the wall, in its plane").symbol("v");
   declare_wall_values(o, key, plate.condition.kind == BoundaryKind::wall_johnson_jackson, plate.condition.wall);
+  declare_gas_wall(o, key, scene, plate.condition);
 }
 
 }  // namespace

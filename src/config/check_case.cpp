@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scree/config/case_options.hpp"
+#include "scree/config/side_samples.hpp"
 
 namespace scree {
 namespace {
@@ -13,8 +14,6 @@ std::string point_text(const std::array<double, max_dim>& point, int dim) {
   return text;
 }
 
-std::string side_name(int axis, bool upper) { return std::string(axis_names[axis]) + (upper ? "_upper" : "_lower"); }
-
 void check_inside(const Box& box, const std::array<double, max_dim>& point, const std::string& key) {
   for (int axis = 0; axis < box.dim; ++axis) {
     if (point[axis] >= box.lower(axis) && point[axis] <= box.upper(axis)) continue;
@@ -22,43 +21,6 @@ void check_inside(const Box& box, const std::array<double, max_dim>& point, cons
                      std::string("a point in the box, which along axis ") + axis_names[axis] + " is from " +
                          number_text(box.lower(axis)) + " to " + number_text(box.upper(axis)) + " m");
   }
-}
-
-/// The middles between the distinct values of `cuts` that lie in (lower, upper).
-std::vector<double> middles(std::set<double> cuts, double lower, double upper) {
-  cuts.insert({lower, upper});
-  std::vector<double> points;
-  for (auto cut = cuts.lower_bound(lower); *cut < upper; ++cut) points.push_back(0.5 * (*cut + *std::next(cut)));
-  return points;
-}
-
-bool holds_at(const Segment& segment, const std::array<double, max_dim>& point, int dim, double time) {
-  if (time < segment.condition.from || time > segment.condition.until) return false;
-  for (int axis = 0; axis < dim; ++axis) {
-    if (axis == segment.axis) continue;
-    if (point[axis] < segment.patch.lower[axis] || point[axis] > segment.patch.upper[axis]) return false;
-  }
-  return true;
-}
-
-/// Sample points of a side: one in each rectangle that the edges of its segments cut out.
-std::vector<std::array<double, max_dim>> side_samples(const Box& box, int normal,
-                                                      const std::vector<Segment>& segments) {
-  std::vector<std::array<double, max_dim>> points{{}};
-  for (int axis = 0; axis < box.dim; ++axis) {
-    if (axis == normal) continue;
-    std::set<double> cuts;
-    for (const Segment& segment : segments) cuts.insert({segment.patch.lower[axis], segment.patch.upper[axis]});
-    std::vector<std::array<double, max_dim>> refined;
-    for (const double coordinate : middles(cuts, box.lower(axis), box.upper(axis))) {
-      for (auto point : points) {
-        point[axis] = coordinate;
-        refined.push_back(point);
-      }
-    }
-    points = refined;
-  }
-  return points;
 }
 
 void check_covered(const Box& box, int axis, bool upper, const std::vector<Segment>& segments, double end_time) {
@@ -70,9 +32,7 @@ void check_covered(const Box& box, int axis, bool upper, const std::vector<Segme
   for (const Segment& segment : segments) cuts.insert({segment.condition.from, segment.condition.until});
   for (const double time : middles(cuts, 0.0, end_time > 0 ? end_time : 1.0)) {
     for (const auto& point : side_samples(box, axis, segments)) {
-      const bool covered = std::any_of(segments.begin(), segments.end(),
-                                       [&](const Segment& s) { return holds_at(s, point, box.dim, time); });
-      if (covered) continue;
+      if (holding(segments, point, box.dim, time)) continue;
       auto place = point;
       place[axis] = upper ? box.upper(axis) : box.lower(axis);
       throw InputError("side " + side, "",
@@ -95,10 +55,7 @@ void check_boundaries(const Case& scene) {
   for (int axis = 0; axis < box.dim; ++axis) {
     for (const bool upper : {false, true}) {
       if (box.periodic[axis]) continue;
-      std::vector<Segment> segments;
-      std::copy_if(scene.segments.begin(), scene.segments.end(), std::back_inserter(segments),
-                   [&](const Segment& s) { return s.axis == axis && s.upper == upper; });
-      check_covered(box, axis, upper, segments, scene.time.end_time);
+      check_covered(box, axis, upper, segments_of_side(scene.segments, axis, upper), scene.time.end_time);
     }
   }
 }
@@ -171,6 +128,7 @@ void check_case(const Case& scene) {
   check_time(scene.time);
   check_boundaries(scene);
   check_plates(scene);
+  check_gas(scene);
   for (const InitialRegion& region : scene.initial) check_region(scene, region);
   check_output(scene);
 }

@@ -7,7 +7,8 @@ namespace {
 InitialRegion empty_box() {
   InitialRegion region;
   region.name = "default";
-  region.has_solids_fraction = region.has_velocity = region.has_temperature = region.has_chi = true;
+  region.has_solids_fraction = region.has_velocity = region.has_temperature = region.has_chi = region.has_gas_velocity =
+      true;
   region.granular_temperature = 1e-4;
   return region;
 }
@@ -66,6 +67,12 @@ void declare_values(OptionSet& o, const std::string& key, const GridInput& grid,
           .unset_by_default("unchanged")
           .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed")
           .given;
+  region.has_gas_velocity = o.vector(key + "gas_velocity", region.gas_velocity, grid.dim, "m/s",
+                                     "velocity of the gas, before it is made consistent with (2)")
+                                .symbol("u")
+                                .unset_by_default("unchanged")
+                                .used_if(scene.gas.model == GasModel::incompressible, "gas is not incompressible")
+                                .given;
 }
 
 void declare_region(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,

@@ -7,9 +7,6 @@ void declare_model(OptionSet& o, int dim, ModelParameters& model) {
   o.vector("gravity", model.gravity, dim, "m/s2", "acceleration of gravity").symbol("g");
   o.choice("solids", model.solids_moving, {{"moving", true}, {"fixed", false}},
            "fixed: solids fraction and velocity stay as they are initially");
-  enum class Gas { none } gas = Gas::none;
-  o.choice("gas", gas, {{"none", Gas::none}}, "gas phase, eqs. (2), (4)");
-
   o.choice("granular_temperature", model.temperature,
            {{"transport", TemperatureModel::transport},
             {"algebraic", TemperatureModel::algebraic},

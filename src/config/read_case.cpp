@@ -30,6 +30,7 @@ void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
   declare_grid(o, grid);
   declare_model(o, grid.dim, scene.model);
   declare_particles(o, scene.kinetic, scene.friction, scene.wall);
+  declare_gas(o, scene);
   declare_friction(o, scene.friction);
   declare_wall(o, scene.wall);
   scene.segments = declare_boundaries(o, grid, scene);

@@ -4,12 +4,14 @@ namespace scree {
 
 void declare_solver(OptionSet& o, Case& scene) {
   o.group("solver");
+  if (scene.gas.model != GasModel::none) scene.solver.preset = SolverPreset::fieldsplit;
   o.choice("solver", scene.solver.preset,
            {{"direct", SolverPreset::direct},
             {"ilu", SolverPreset::ilu},
             {"multigrid", SolverPreset::multigrid},
             {"fieldsplit", SolverPreset::fieldsplit}},
-           "named set of PETSc options for the linear systems");
+           "named set of PETSc options for the linear systems")
+      .default_from("multigrid; fieldsplit with gas");
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");
   o.real("scale_velocity", scene.scale_velocity, "m/s", non_negative(),

@@ -3,6 +3,8 @@
 
 namespace scree {
 
-std::unique_ptr<Model> make_model_1d(const ModelSetup& setup) { return choose_model<1>(setup); }
+template std::unique_ptr<Model> choose_model<1, GasModel::none>(const ModelSetup&);
+template std::unique_ptr<Model> choose_model<1, GasModel::darcy>(const ModelSetup&);
+template std::unique_ptr<Model> choose_model<1, GasModel::incompressible>(const ModelSetup&);
 
 }  // namespace scree

@@ -121,7 +121,7 @@ DiscreteProblem::~DiscreteProblem() {
 
 PetscErrorCode DiscreteProblem::create(MPI_Comm comm, double time) {
   PetscFunctionBeginUser;
-  const auto [unknowns, stencil_width] = model_extent(setup_.box.dim, setup_.model, setup_.solids.friction);
+  const auto [unknowns, stencil_width] = model_extent(setup_.box.dim, setup_.model, setup_.solids);
   PetscCall(create_dm(comm, setup_.box, unknowns, stencil_width, &dm_));
   lattice_ = std::make_unique<Lattice>(setup_.box, dm_);
   PetscCall(update_conditions(time));
@@ -133,7 +133,13 @@ PetscErrorCode DiscreteProblem::create(MPI_Comm comm, double time) {
 PetscErrorCode DiscreteProblem::update_conditions(double time) {
   PetscFunctionBeginUser;
   barriers_ = std::make_unique<Barriers>(*lattice_, setup_.segments, setup_.plates, time);
+  gas_projection_.reset();
   model_ = make_model({*lattice_, *barriers_, setup_.model, setup_.solids, setup_.scales});
+  model_->set_time(time);
+  if (model_->gas_velocity(0) >= 0) {
+    gas_projection_ = std::make_unique<GasProjection>(*lattice_, *barriers_, *model_);
+    PetscCall(gas_projection_->create(dm_));
+  }
   PetscCall(MatDestroy(&matrix_));
   PetscCall(create_matrix());
   PetscCall(find_places());
@@ -214,12 +220,14 @@ double DiscreteProblem::face_area(int axis, const Index& I) const {
   return lattice_->volume(I) / lattice_->axes[axis].width(I[axis]);
 }
 
-PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, double* imbalance) const {
+PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const {
   PetscFunctionBeginUser;
   const Lattice& grid = *lattice_;
   const int unknowns = model_->unknowns();
-  double outflow_rate;
-  PetscCall(outflow(state, &outflow_rate));
+  double outflow_rate, gas_outflow_rate;
+  PetscCall(project_gas(state));
+  PetscCall(outflow(state, Phase::solids, &outflow_rate));
+  PetscCall(outflow(state, Phase::gas, &gas_outflow_rate));
   double* x;
   const double *f, *rate;
   PetscCall(VecGetArray(state, &x));
@@ -238,7 +246,14 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, doub
   PetscCall(VecRestoreArray(state, &x));
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
-  *imbalance = sum + outflow_rate;
+  // The gas has the rest of the box: its volume changes by -sum.
+  *imbalance = {sum + outflow_rate, model_->gas_pressure() >= 0 ? gas_outflow_rate - sum : 0};
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode DiscreteProblem::project_gas(Vec state) const {
+  PetscFunctionBeginUser;
+  if (gas_projection_) PetscCall(gas_projection_->apply(state));
   PetscFunctionReturn(0);
 }
 
@@ -257,7 +272,7 @@ PetscErrorCode DiscreteProblem::solids_volume(Vec state, double* volume) const {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::outflow(Vec state, double* flux) const {
+PetscErrorCode DiscreteProblem::outflow(Vec state, Phase phase, double* total) const {
   PetscFunctionBeginUser;
   GhostedArray u;
   PetscCall(u.open(dm_, state));
@@ -266,16 +281,16 @@ PetscErrorCode DiscreteProblem::outflow(Vec state, double* flux) const {
     for (int axis = 0; axis < lattice_->dim; ++axis) {
       const bool lower = !lattice_->inside(I - unit(axis)), upper = !lattice_->inside(I);
       if (lower == upper || !barriers_->at(axis, I)) continue;
-      sum += (upper ? 1 : -1) * face_area(axis, I) * model_->solids_flux(u.data(), axis, I);
+      sum += (upper ? 1 : -1) * face_area(axis, I) * flux(phase, u.data(), axis, I);
     }
   });
   PetscCall(u.close());
-  PetscCallMPI(MPI_Allreduce(&sum, flux, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
+  PetscCallMPI(MPI_Allreduce(&sum, total, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::plane_flux(Vec state, int axis, double position, const Patch& patch,
-                                           double* flux) const {
+PetscErrorCode DiscreteProblem::plane_flux(Vec state, Phase phase, int axis, double position, const Patch& patch,
+                                           double* total) const {
   PetscFunctionBeginUser;
   const Axis& normal = lattice_->axes[axis];
   int plane = 0;
@@ -291,26 +306,28 @@ PetscErrorCode DiscreteProblem::plane_flux(Vec state, int axis, double position,
       const double x = lattice_->axes[a].centre(I[a]);
       if (a != axis && (x < patch.lower[a] || x > patch.upper[a])) return;
     }
-    sum += face_area(axis, I) * model_->solids_flux(u.data(), axis, I);
+    sum += face_area(axis, I) * flux(phase, u.data(), axis, I);
   });
   PetscCall(u.close());
-  PetscCallMPI(MPI_Allreduce(&sum, flux, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
+  PetscCallMPI(MPI_Allreduce(&sum, total, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::ifunction(TS, PetscReal, Vec state, Vec rate, Vec residual, void* problem) {
+PetscErrorCode DiscreteProblem::ifunction(TS, PetscReal time, Vec state, Vec rate, Vec residual, void* problem) {
   PetscFunctionBeginUser;
   auto& self = *static_cast<DiscreteProblem*>(problem);
   self.last_rate_ = rate;
+  self.model_->set_time(time);
   PetscCall(self.residual(state, rate, residual));
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::ijacobian(TS, PetscReal, Vec state, Vec rate, PetscReal shift, Mat A, Mat P,
+PetscErrorCode DiscreteProblem::ijacobian(TS, PetscReal time, Vec state, Vec rate, PetscReal shift, Mat A, Mat P,
                                           void* problem) {
   PetscFunctionBeginUser;
   auto& self = *static_cast<DiscreteProblem*>(problem);
   self.last_shift_ = shift;
+  self.model_->set_time(time);
   GhostedArray u, u_dot;
   PetscCall(u.open(self.dm_, state));
   PetscCall(u_dot.open(self.dm_, rate));

@@ -1,6 +1,9 @@
 #include "scree/solver/presets.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "scree/solver/orderings.hpp"
 
 namespace scree {
 
@@ -50,51 +53,107 @@ const PetscOptionList multigrid{{"ksp_type", "gmres"},
                                 {"mg_levels_sub_pc_factor_levels", "1"},
                                 {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
+/// Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
+/// aggregation multigrid.
+PetscOptionList solids_fieldsplit(int unknowns) {
+  return {{"ksp_type", "fgmres"},
+          {"ksp_gmres_restart", "60"},
+          {"ksp_max_it", "100"},
+          {"ksp_rtol", "3e-2"},
+          {"pc_type", "fieldsplit"},
+          {"pc_fieldsplit_type", "schur"},
+          {"pc_fieldsplit_dm_splits", "false"},  // by component of the block, or GAMG gets a grid without vectors
+          {"pc_fieldsplit_schur_fact_type", "full"},
+          {"pc_fieldsplit_schur_precondition", "selfp"},
+          {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
+          {"pc_fieldsplit_1_fields", component_list(0, 1)},
+          {"fieldsplit_0_ksp_type", "preonly"},
+          {"fieldsplit_0_pc_type", "gamg"},
+          {"fieldsplit_0_pc_gamg_agg_nsmooths", "0"},
+          {"fieldsplit_0_mg_levels_ksp_type", "richardson"},
+          {"fieldsplit_0_mg_levels_ksp_max_it", "1"},
+          {"fieldsplit_0_mg_levels_pc_type", "bjacobi"},
+          {"fieldsplit_0_mg_levels_sub_pc_type", "ilu"},
+          {"fieldsplit_1_ksp_type", "gmres"},
+          {"fieldsplit_1_ksp_max_it", "5"},
+          {"fieldsplit_1_pc_type", "hypre"},
+          {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+}
+
+/// GMRES with the Schur complement on p_g, to which one V-cycle of BoomerAMG is applied. The diagonal of the rows of u
+/// holds the drag, so that stiff drag costs no iterations: what is left is the mobility of the gas. `rest` is the
+/// preconditioner of all other unknowns.
+PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOptionList& rest) {
+  const std::string before = component_list(0, gas_pressure),
+                    after = component_list(gas_pressure + 1, unknowns - gas_pressure - 1);
+  PetscOptionList list{{"ksp_type", "gmres"},
+                       {"ksp_pc_side", "right"},
+                       {"ksp_gmres_restart", "100"},
+                       {"ksp_max_it", "200"},
+                       {"ksp_rtol", "1e-2"},
+                       {"pc_type", "fieldsplit"},
+                       {"pc_fieldsplit_type", "schur"},
+                       {"pc_fieldsplit_dm_splits", "false"},
+                       {"pc_fieldsplit_schur_fact_type", "upper"},
+                       {"pc_fieldsplit_schur_precondition", "selfp"},
+                       {"pc_fieldsplit_0_fields", before + (after.empty() ? "" : ",") + after},
+                       {"pc_fieldsplit_1_fields", component_list(gas_pressure, 1)},
+                       {"fieldsplit_0_ksp_type", "preonly"},
+                       {"fieldsplit_1_ksp_type", "preonly"},
+                       {"fieldsplit_1_pc_type", "hypre"},
+                       {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+  for (const auto& [name, value] : rest) list.emplace_back("fieldsplit_0_" + name, value);
+  return list;
+}
+
+const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
+                                {"sub_pc_type", "ilu"},
+                                {"sub_pc_factor_levels", "1"},
+                                {"sub_pc_factor_shift_type", "nonzero"}};
+
+const PetscOptionList multigrid_block{{"pc_type", "gamg"},
+                                      {"pc_gamg_type", "agg"},
+                                      {"pc_gamg_agg_nsmooths", "0"},
+                                      {"pc_gamg_reuse_interpolation", "false"},
+                                      {"mg_levels_ksp_type", "richardson"},
+                                      {"mg_levels_ksp_max_it", "1"},
+                                      {"mg_levels_pc_type", "bjacobi"},
+                                      {"mg_levels_sub_pc_type", "ilu"},
+                                      {"mg_levels_sub_pc_factor_levels", "1"},
+                                      {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+
+/// One ILU(2) a rank for all unknowns, p_g among them.
+const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
+
 }  // namespace
 
-PetscOptionList preset_options(const std::string& preset, int unknowns) {
+PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_pressure) {
   PetscOptionList list = newton;
-  const auto append = [&](const PetscOptionList& more) { list.insert(list.end(), more.begin(), more.end()); };
+  const bool gas = gas_pressure >= 0;
+  const auto append = [&](const PetscOptionList& more) {  // what is there already wins
+    for (const auto& option : more)
+      if (std::none_of(list.begin(), list.end(), [&](const auto& o) { return o.first == option.first; }))
+        list.push_back(option);
+  };
   if (preset == "direct") {
     append(direct);
   } else if (preset == "ilu") {
+    if (gas) append(gas_ilu);
     append(ilu);
   } else if (preset == "multigrid") {
-    append(multigrid);
+    append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid);
   } else if (preset == "fieldsplit") {
-    // Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi
-    // to aggregation multigrid.
-    append({{"ksp_type", "fgmres"},
-            {"ksp_gmres_restart", "60"},
-            {"ksp_max_it", "100"},
-            {"ksp_rtol", "3e-2"},
-            {"pc_type", "fieldsplit"},
-            {"pc_fieldsplit_type", "schur"},
-            {"pc_fieldsplit_dm_splits", "false"},  // by component of the block, or GAMG gets a grid without vectors
-            {"pc_fieldsplit_schur_fact_type", "full"},
-            {"pc_fieldsplit_schur_precondition", "selfp"},
-            {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
-            {"pc_fieldsplit_1_fields", component_list(0, 1)},
-            {"fieldsplit_0_ksp_type", "preonly"},
-            {"fieldsplit_0_pc_type", "gamg"},
-            {"fieldsplit_0_pc_gamg_agg_nsmooths", "0"},
-            {"fieldsplit_0_mg_levels_ksp_type", "richardson"},
-            {"fieldsplit_0_mg_levels_ksp_max_it", "1"},
-            {"fieldsplit_0_mg_levels_pc_type", "bjacobi"},
-            {"fieldsplit_0_mg_levels_sub_pc_type", "ilu"},
-            {"fieldsplit_1_ksp_type", "gmres"},
-            {"fieldsplit_1_ksp_max_it", "5"},
-            {"fieldsplit_1_pc_type", "hypre"},
-            {"fieldsplit_1_pc_hypre_type", "boomeramg"}});
+    append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block) : solids_fieldsplit(unknowns));
   } else {
     throw std::invalid_argument("solver preset '" + preset + "'");
   }
   return list;
 }
 
-PetscErrorCode apply_preset(const std::string& preset, int unknowns) {
+PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure) {
   PetscFunctionBeginUser;
-  for (const auto& [name, value] : preset_options(preset, unknowns)) {
+  PetscCall(register_orderings());
+  for (const auto& [name, value] : preset_options(preset, unknowns, gas_pressure)) {
     const std::string option = "-" + name;
     PetscBool set;
     PetscCall(PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "scree/solver/line_search.hpp"
 
@@ -151,7 +152,9 @@ PetscErrorCode TimeStepper::age_preconditioner(double dt) {
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp), KSPPREONLY, &alone));
-  if (chosen || alone) PetscFunctionReturn(0);
+  reuses_preconditioner_ = !chosen && !alone;
+  if (alone && !chosen) PetscCall(SNESSetLagPreconditioner(snes, 1));
+  if (!reuses_preconditioner_) PetscFunctionReturn(0);
   const auto& p = preconditioner_;
   const bool stale = p.dt == 0 || dt > most_step_change * p.dt || p.dt > most_step_change * dt ||
                      p.last_iterations > 1.3 * p.fresh_iterations + 2;
@@ -167,7 +170,7 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   PetscCall(SNESGetConvergedReason(snes, &reason));
   if (reason < 0) {
     self.last_failure_ = SNESConvergedReasons[reason];
-    PetscCall(SNESSetLagPreconditioner(snes, -2));
+    if (self.reuses_preconditioner_) PetscCall(SNESSetLagPreconditioner(snes, -2));
   }
 
   if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 &&
@@ -186,7 +189,26 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
                                       PetscReal f_norm, SNESConvergedReason* reason, void* stepper) {
   PetscFunctionBeginUser;
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
-  if (*reason > 0) PetscCall(static_cast<TimeStepper*>(stepper)->correct_continuity(snes));
+  auto& self = *static_cast<TimeStepper*>(stepper);
+  if (*reason > 0 && iteration > 0) {
+    double correction;
+    PetscCall(self.continuity_correction(snes, &correction));
+    if (correction > newton_share * self.control_.accuracy) *reason = SNES_CONVERGED_ITERATING;
+  }
+  if (*reason > 0) PetscCall(self.correct_continuity(snes));
+  PetscFunctionReturn(0);
+}
+
+/// Root mean square of what correct_continuity would change nu by: the residual times dt, which counts in long steps.
+PetscErrorCode TimeStepper::continuity_correction(SNES snes, double* correction) const {
+  PetscFunctionBeginUser;
+  Vec residual;
+  PetscInt size;
+  PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
+  PetscCall(VecStrideNorm(residual, Model::solids_fraction, NORM_2, correction));
+  PetscCall(VecGetSize(residual, &size));
+  *correction *= std::sqrt(problem_.model().unknowns() / static_cast<double>(size)) /
+                 problem_.model().continuity_scale() / problem_.last_shift();
   PetscFunctionReturn(0);
 }
 
@@ -217,10 +239,30 @@ PetscErrorCode TimeStepper::local_error(double dt, double* error) {
     share = dt / (dt + s);
   }
   PetscCall(VecAXPY(predicted_, -1, state_));
+  PetscCall(norm_of_evolving(predicted_, error));
+  *error *= share / control_.accuracy;
+  PetscFunctionReturn(0);
+}
+
+/// Root mean square over the unknowns that the error of a step is measured in.
+PetscErrorCode TimeStepper::norm_of_evolving(Vec difference, double* norm) const {
+  PetscFunctionBeginUser;
+  const ProblemSetup& setup = problem_.setup();
+  const bool gas_alone = !setup.model.solids_moving || setup.scales.density != setup.solids.kinetic.rho_s;
+  std::vector<double> norms(static_cast<std::size_t>(problem_.model().unknowns()));
+  PetscCall(VecStrideNormAll(difference, NORM_2, norms.data()));
+  double sum = 0;
+  int count = 0;
+  for (const Field& field : problem_.model().fields()) {
+    if (field.symbol == "p_g" || (field.symbol == "u" && !gas_alone)) continue;
+    const double n = norms[static_cast<std::size_t>(field.component)];
+    sum += n * n;
+    ++count;
+  }
   PetscInt size;
-  PetscCall(VecGetSize(state_, &size));
-  PetscCall(VecNorm(predicted_, NORM_2, error));
-  *error *= share / std::sqrt(static_cast<double>(size)) / control_.accuracy;
+  PetscCall(VecGetSize(difference, &size));
+  const double nodes = static_cast<double>(size) / problem_.model().unknowns();
+  *norm = std::sqrt(sum / (nodes * count));
   PetscFunctionReturn(0);
 }
 
@@ -237,6 +279,9 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscCall(count(0));
   last_failure_.clear();
   PetscCall(age_preconditioner(dt));
+  TSAdapt adapt;  // what is left to a given time may be less than step_min
+  PetscCall(TSGetAdapt(ts_, &adapt));
+  PetscCall(TSAdaptSetStepLimits(adapt, std::min(control_.step_min, dt), PETSC_MAX_REAL));
   PetscCall(TSSetTimeStep(ts_, finds_slope_ ? dt / 2 : dt));
   PetscCall(TSStep(ts_));
   finds_slope_ = false;
@@ -292,7 +337,7 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   }
   report->limited = limits_.limited();
   if (report->failed) PetscFunctionReturn(0);
-  report->imbalance = attempt_imbalance_ * report->dt;
+  report->imbalance = {attempt_imbalance_.solids * report->dt, attempt_imbalance_.gas * report->dt};
 
   time_ = report->time;
   std::swap(past_[0], past_[1]);

@@ -14,25 +14,44 @@ struct Combination {
   FrictionModel friction;
   TemperatureModel temperature;
   AdvectionScheme advection;
+  GasModel gas = GasModel::none;
 };
 
 inline std::string name_of(const Combination& c) {
   static const char* const frictions[] = {"none", "critical_state", "instantaneous", "relaxed"};
   static const char* const temperatures[] = {"transport", "algebraic", "constant"};
   static const char* const schemes[] = {"upwind", "van_albada"};
+  static const char* const gases[] = {"", "_darcy", "_incompressible"};
   return std::to_string(c.dim) + "d_" + frictions[static_cast<int>(c.friction)] + '_' +
-         temperatures[static_cast<int>(c.temperature)] + '_' + schemes[static_cast<int>(c.advection)];
+         temperatures[static_cast<int>(c.temperature)] + '_' + schemes[static_cast<int>(c.advection)] +
+         gases[static_cast<int>(c.gas)];
 }
 
+/// All combinations without gas; for each gas model some that hold every layout (T or not, chi or not) with both
+/// advection schemes and each closure.
 inline std::vector<Combination> combinations() {
   std::vector<Combination> all;
-  for (int dim = 1; dim <= 3; ++dim)
+  const AdvectionScheme upwind = AdvectionScheme::upwind, van_albada = AdvectionScheme::van_albada;
+  for (int dim = 1; dim <= 3; ++dim) {
     for (const auto friction :
          {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
       for (const auto temperature :
            {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
-        for (const auto advection : {AdvectionScheme::upwind, AdvectionScheme::van_albada})
-          all.push_back({dim, friction, temperature, advection});
+        for (const auto advection : {upwind, van_albada}) all.push_back({dim, friction, temperature, advection});
+    for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+      for (const Combination& c :
+           {Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, upwind},
+            Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, van_albada},
+            Combination{dim, FrictionModel::none, TemperatureModel::transport, upwind},
+            Combination{dim, FrictionModel::instantaneous, TemperatureModel::transport, van_albada},
+            Combination{dim, FrictionModel::relaxed, TemperatureModel::algebraic, upwind},
+            Combination{dim, FrictionModel::relaxed, TemperatureModel::constant, van_albada},
+            Combination{dim, FrictionModel::critical_state, TemperatureModel::constant, upwind},
+            Combination{dim, FrictionModel::none, TemperatureModel::algebraic, van_albada}}) {
+        all.push_back(c);
+        all.back().gas = gas;
+      }
+  }
   return all;
 }
 
@@ -49,7 +68,33 @@ inline Condition sample_inlet() {
   inlet.solids_fraction = 0.56;
   inlet.granular_temperature = 2e-4;
   inlet.chi = 0.9;
+  inlet.gas_velocity = 0.04;
   return inlet;
+}
+
+/// Varies along y (along x on sides where that is across) and with time.
+inline Condition sample_gas_inlet() {
+  Condition inlet = condition(BoundaryKind::gas_inlet);
+  inlet.gas_velocity = 0.2;
+  inlet.gas_profile_axis = 1;
+  inlet.gas_profile.at = {1e-3, 4e-3, 7e-3};
+  inlet.gas_profile.factor = {0.3, 1.2, -0.5};
+  inlet.gas_history.at = {0, 2};
+  inlet.gas_history.factor = {0.7, 1.5};
+  return inlet;
+}
+
+/// An open side with gas at a pressure of its own outside.
+inline Condition sample_opening() {
+  Condition opening = condition(BoundaryKind::open);
+  opening.gas_pressure = 3;
+  return opening;
+}
+
+/// A wall to which the gas sticks too.
+inline Condition sticky(Condition wall) {
+  wall.gas_no_slip = true;
+  return wall;
 }
 
 /// A plate normal to `axis` in the middle of the box, with an opening that leaves a lip on both sides.
@@ -81,7 +126,7 @@ inline std::vector<NamedScene> scenes_of_one_kind(const ProblemSetup& base) {
   add("wall_free_slip", condition(BoundaryKind::wall_free_slip));
   add("wall_no_slip moving", condition(BoundaryKind::wall_no_slip, moving));
   add("symmetry", condition(BoundaryKind::symmetry));
-  add("open", condition(BoundaryKind::open));
+  add("open", sample_opening());
   add("inlet", sample_inlet());
   return scenes;
 }
@@ -144,13 +189,71 @@ inline std::vector<NamedScene> scenes_of_options(const ProblemSetup& base) {
   return scenes;
 }
 
+/// What only gas knows: inlets of gas, a pressure outside, viscous stress with walls to which it sticks.
+inline std::vector<NamedScene> scenes_of_gas(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes;
+  if (base.solids.gas.model == GasModel::none) return scenes;
+  const auto add = [&](const std::string& name) -> ProblemSetup& {
+    scenes.push_back({name, base});
+    scenes.back().setup.model.gas_viscous_stress = true;
+    return scenes.back().setup;
+  };
+  add("gas inlets").segments = all_sides(base.box, sample_gas_inlet());
+
+  ProblemSetup& plates = add("gas, mixed sides and plates");
+  plates.segments.clear();
+  const Condition kinds[] = {sample_gas_inlet(),
+                             sample_opening(),
+                             sticky(condition(BoundaryKind::wall_johnson_jackson, {0.02, 0, 0.01})),
+                             sample_inlet(),
+                             sticky(condition(BoundaryKind::wall_free_slip, {0.01, -0.03, 0})),
+                             condition(BoundaryKind::symmetry)};
+  int next = 0;
+  for (int axis = 0; axis < base.box.dim; ++axis) {
+    for (const bool upper : {false, true}) plates.segments.push_back(side(axis, upper, kinds[next++]));
+    Condition plate = condition(BoundaryKind::wall_no_slip, {axis == 0 ? 0 : 0.02, axis == 1 ? 0 : 0.01, 0});
+    plate.gas_no_slip = axis != 1;
+    plates.plates.push_back(sample_plate(base.box, axis, plate));
+  }
+
+  ProblemSetup& parts = add("gas, parts of sides");
+  for (int axis = 0; axis < base.box.dim; ++axis)
+    for (const bool upper : {false, true}) {
+      Segment middle = side(axis, upper, upper ? sample_opening() : sample_gas_inlet());
+      for (int other = 0; other < base.box.dim; ++other) {
+        if (other == axis) continue;
+        middle.patch.lower[other] = base.box.faces[other][1];
+        middle.patch.upper[other] = base.box.faces[other][2];
+      }
+      parts.segments.push_back(middle);
+    }
+  if (base.solids.gas.model == GasModel::darcy) return scenes;  // without viscous stress
+
+  add("viscous gas between moving walls").segments =
+      all_sides(base.box, sticky(condition(BoundaryKind::wall_johnson_jackson, {0.02, -0.03, 0.01})));
+  ProblemSetup& periodic = add("viscous gas, periodic");
+  periodic.box.periodic = {true, true, true};
+  periodic.segments.clear();
+  ProblemSetup& alone = add("gas alone");
+  alone.model.solids_moving = false;
+  alone.model.gas_alone = true;
+  return scenes;
+}
+
 inline ProblemSetup sample_setup(const Combination& c) {
-  return sample_setup(graded_box(c.dim, sample_cells), c.friction, c.temperature, c.advection);
+  return sample_setup(graded_box(c.dim, sample_cells), c.friction, c.temperature, c.advection, c.gas);
+}
+
+/// Scenes in which many kinds of boundary meet.
+inline std::vector<NamedScene> mixed_scenes(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes = scenes_of_mixed_kinds(base);
+  for (NamedScene& scene : scenes_of_gas(base)) scenes.push_back(std::move(scene));
+  return scenes;
 }
 
 inline std::vector<NamedScene> all_scenes(const ProblemSetup& base) {
   std::vector<NamedScene> scenes;
-  for (auto* make : {scenes_of_one_kind, scenes_of_mixed_kinds, periodic_scenes, scenes_of_options})
+  for (auto* make : {scenes_of_one_kind, scenes_of_mixed_kinds, periodic_scenes, scenes_of_options, scenes_of_gas})
     for (NamedScene& scene : make(base)) scenes.push_back(std::move(scene));
   return scenes;
 }

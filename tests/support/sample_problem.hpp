@@ -72,17 +72,21 @@ inline std::vector<Segment> all_sides(const Box& box, const Condition& condition
   return segments;
 }
 
+/// Times the stored p_g, is added to the rows of (2) to settle its level; see assembled_model.hpp.
+inline constexpr double pressure_hold = 1e-11;
+
 inline void set_temperature_model(ProblemSetup& setup, TemperatureModel model, double value = 1e-4) {
   setup.model.temperature = setup.solids.temperature = model;
   setup.model.temperature_value = setup.solids.temperature_value = value;
 }
 
-/// Parameters of the paper's bin on `box`.
+/// Parameters of the paper's bin on `box`, in vacuum or in air.
 inline ProblemSetup sample_setup(const Box& box, FrictionModel friction = FrictionModel::relaxed,
                                  TemperatureModel temperature = TemperatureModel::transport,
-                                 AdvectionScheme advection = AdvectionScheme::upwind) {
+                                 AdvectionScheme advection = AdvectionScheme::upwind, GasModel gas = GasModel::none) {
   ProblemSetup setup;
   setup.box = box;
+  setup.solids.gas.model = gas;
   setup.solids.friction.model = friction;
   set_temperature_model(setup, temperature);
   setup.model.advection = advection;
@@ -110,7 +114,8 @@ using Values = std::vector<double>;
 /// A problem that can be evaluated at states in natural order, through the callbacks that TS uses.
 class Evaluation {
  public:
-  Evaluation(MPI_Comm comm, const ProblemSetup& setup, double time = 0) : comm_(comm), problem_(setup) {
+  /// Residual and Jacobian are those at `time`.
+  Evaluation(MPI_Comm comm, const ProblemSetup& setup, double time = 0) : comm_(comm), time_(time), problem_(setup) {
     check(problem_.create(comm, time));
     check(TSCreate(comm, &ts_));
     check(problem_.attach(ts_));
@@ -138,7 +143,7 @@ class Evaluation {
     for (int axis = 0; axis < max_dim; ++axis) wrapped[axis] = (I[axis] + nodes_[axis]) % nodes_[axis];
     return ((wrapped[2] * nodes_[1] + wrapped[1]) * nodes_[0] + wrapped[0]) * unknowns() + component;
   }
-  /// Component of the unknown with this symbol ("nu", "T", "chi"), -1 if absent.
+  /// Component of the unknown with this symbol ("nu", "T", "chi", "u", ...), the first along the axes; -1 if absent.
   int component(const std::string& symbol) const {
     for (const Field& field : fields())
       if (field.symbol == symbol) return field.component;
@@ -178,14 +183,14 @@ class Evaluation {
   Values residual(const Values& state, const Values& rate) {
     put(state, state_);
     put(rate, rate_);
-    check(TSComputeIFunction(ts_, 0, state_, rate_, result_, PETSC_FALSE));
+    check(TSComputeIFunction(ts_, time_, state_, rate_, result_, PETSC_FALSE));
     return get(result_);
   }
   /// Assembles dF/dU + shift dF/d(dU/dt).
   void assemble(const Values& state, const Values& rate, double shift) {
     put(state, state_);
     put(rate, rate_);
-    check(TSComputeIJacobian(ts_, 0, state_, rate_, shift, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
+    check(TSComputeIJacobian(ts_, time_, state_, rate_, shift, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
   }
   /// The assembled matrix times a direction.
   Values product(const Values& direction) {
@@ -213,10 +218,10 @@ class Evaluation {
     }
   }
 
-  double outflow(const Values& state) {
+  double outflow(const Values& state, Phase phase = Phase::solids) {
     double flux = 0;
     put(state, state_);
-    check(problem_.outflow(state_, &flux));
+    check(problem_.outflow(state_, phase, &flux));
     return flux;
   }
 
@@ -230,6 +235,7 @@ class Evaluation {
   }
 
   MPI_Comm comm_;
+  double time_;
   DiscreteProblem problem_;
   TS ts_ = nullptr;
   Vec state_ = nullptr, rate_ = nullptr, result_ = nullptr, direction_ = nullptr;
@@ -243,7 +249,8 @@ enum class Regime {
   empty,   ///< nu = 1e-9 ... 1e-6
 };
 
-/// A random SI state of that regime, sqrt(T) about .01 m/s, velocities of both signs about .05 m/s.
+/// A random SI state of that regime, sqrt(T) about .01 m/s, velocities of both signs about .05 m/s; of the gas about
+/// .2 m/s, and pressures that drive a gas without inertia through a dense bed at about .5 m/s.
 inline double random_value(const Field& field, const Index& I, Regime regime, int seed) {
   const double z = noise(I, field.component, seed);
   if (field.symbol == "nu") {
@@ -253,7 +260,8 @@ inline double random_value(const Field& field, const Index& I, Regime regime, in
   }
   if (field.symbol == "T") return 1e-4 * std::exp(1.5 * z);
   if (field.symbol == "chi") return 0.85 + 0.2 * z;
-  return 0.05 * z;
+  if (field.symbol == "p_g") return 8 * z;
+  return (field.symbol == "u" ? 0.2 : 0.05) * z;
 }
 
 /// By how much an unknown can vary, SI, until the residual shows curvature: for difference steps.
@@ -261,7 +269,8 @@ inline double random_scale(const Field& field, double value, Regime regime) {
   if (field.symbol == "nu") return regime == Regime::dense ? 0.02 : value;
   if (field.symbol == "T") return value;
   if (field.symbol == "chi") return 0.01;
-  return 3e-3;
+  if (field.symbol == "p_g") return 0.5;
+  return field.symbol == "u" ? 0.012 : 3e-3;
 }
 
 }  // namespace scree::test

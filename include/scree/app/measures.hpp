@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// Quantities of a state, in SI; masses and rates refer to `output_depth` and `output_mirror`.
+/// Quantities of a state, in SI; masses, volume flows and rates refer to `output_depth` and `output_mirror`.
 class Measures {
  public:
   Measures(const Case& scene, const DiscreteProblem& problem);
@@ -25,12 +25,13 @@ class Measures {
     double least, greatest;
   };
   Range range(Vec state, const Field& field) const;
-  double greatest_speed(Vec state) const;
+  double greatest_speed(Vec state, const std::string& symbol) const;
   double bed_height(Vec state) const;
 
   const Case& scene_;
   const DiscreteProblem& problem_;
   double mass_per_volume_;
+  bool with_gas_, has_gas_velocity_;
   std::vector<Column> columns_;
 };
 

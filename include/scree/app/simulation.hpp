@@ -30,6 +30,7 @@ class Simulation {
   struct Totals {
     double steps = 0, newton = 0, krylov = 0, rejected_error = 0, rejected_solver = 0, limited = 0;
     double imbalance = 0;       ///< of solids volume [m^dim]
+    double gas_imbalance = 0;   ///< of gas volume [m^dim]
     double initial_volume = 0;  ///< [m^dim]
     double dt_max = 0;          ///< [s]
   };
@@ -41,6 +42,9 @@ class Simulation {
   void open_outputs(std::optional<double> restart_time);
   double next_event() const;
   void account(const StepReport& report);
+  void make_gas_consistent();
+  double mass_error() const;
+  double gas_volume_error() const;
   void append_monitor(const StepReport& report);
   void write_fields();
   void write_checkpoint();

@@ -9,10 +9,12 @@
 
 namespace scree {
 
-inline bool is_wall(BoundaryKind kind) {
-  return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_free_slip ||
-         kind == BoundaryKind::wall_no_slip || kind == BoundaryKind::symmetry;
-}
+/// Whether a condition keeps the particles back.
+inline bool is_wall(BoundaryKind kind) { return kind != BoundaryKind::open && kind != BoundaryKind::inlet; }
+/// Whether a condition keeps the gas back.
+inline bool stops_gas(BoundaryKind kind) { return is_wall(kind) && kind != BoundaryKind::gas_inlet; }
+/// Whether a condition brings in a given flow of gas.
+inline bool brings_gas(BoundaryKind kind) { return kind == BoundaryKind::inlet || kind == BoundaryKind::gas_inlet; }
 
 /// Conditions of the faces that a rank sees.
 class Barriers {
@@ -26,6 +28,8 @@ class Barriers {
   const Condition& condition(int axis, const Index& I) const {
     return conditions_[face_[axis][lattice_->ghosted(I)] - 1];
   }
+  /// Whether a side of the box, or a part of one, is open: the same on all ranks.
+  bool some_open() const { return some_open_; }
   bool wall(int axis, const Index& I) const { return at(axis, I) && is_wall(condition(axis, I).kind); }
   /// Whether some face within `halo` cells of I, in any direction, carries a condition.
   bool near(const Index& I) const { return near_[lattice_->ghosted(I)] != 0; }
@@ -39,6 +43,7 @@ class Barriers {
   std::vector<Condition> conditions_;
   std::array<std::vector<std::uint8_t>, max_dim> face_;  ///< over ghosted nodes: 0 or 1 + position in conditions_
   std::vector<std::uint8_t> near_;
+  bool some_open_ = false;
 };
 
 }  // namespace scree

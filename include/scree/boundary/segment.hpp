@@ -1,12 +1,19 @@
 /// What closes the box: named segments of its sides and named internal plates.
 ///
-/// kind                  normal velocity        tangential velocity         nu, T, chi
+/// kind                  particles: normal      tangential                  nu, T, chi
 /// wall_johnson_jackson  that of the wall       Coulomb + collisions (25)   no flux; q from (26)
 /// wall_free_slip        that of the wall       no shear                    no flux
 /// wall_no_slip          that of the wall       that of the wall            no flux
 /// symmetry              zero                   no shear                    no flux
 /// open                  zero normal gradient   no shear                    outflow carried out, inflow brings nu = 0
 /// inlet                 prescribed             that of the inlet           prescribed values carried in
+/// gas_inlet             zero                   no shear                    no flux
+///
+/// kind                  gas: normal            tangential                  p_g
+/// walls                 that of the wall       free slip, or none          no condition
+/// symmetry              zero                   no shear                    no condition
+/// open                  from (4)               no shear                    prescribed, over that of still gas outside
+/// inlet, gas_inlet      superficial velocity prescribed, none along the side, no condition
 #pragma once
 
 #include <array>
@@ -19,7 +26,7 @@
 
 namespace scree {
 
-enum class BoundaryKind { wall_johnson_jackson, wall_free_slip, wall_no_slip, symmetry, open, inlet };
+enum class BoundaryKind { wall_johnson_jackson, wall_free_slip, wall_no_slip, symmetry, open, inlet, gas_inlet };
 
 /// A rectangle in the plane of a side or plate; an interval in two dimensions. The entries of the normal axis are
 /// unused.
@@ -32,6 +39,14 @@ struct Patch {
   }
 };
 
+/// A factor that is piecewise linear in a coordinate or in time and constant beyond its ends; 1 if it has no points.
+struct Ramp {
+  std::vector<double> at;      ///< ascending [m or s]
+  std::vector<double> factor;  ///< as many [-]
+
+  double value(double x) const;
+};
+
 /// What happens at a face of a side or plate.
 struct Condition {
   std::string name;
@@ -41,9 +56,18 @@ struct Condition {
   double granular_temperature = 0;                ///< inlet only [m2/s2]
   double chi = 1;                                 ///< inlet only [-]
   WallParameters wall;                            ///< wall_johnson_jackson only
+  double gas_velocity = 0;   ///< inlet and gas_inlet: superficial velocity of the gas into the box [m/s]
+  int gas_profile_axis = 0;  ///< axis along the side in which that varies
+  Ramp gas_profile;          ///< its factor along that axis
+  Ramp gas_history;          ///< its factor in time
+  double gas_pressure = 0;   ///< open only: p_g outside, over that of still gas [Pa]
+  bool gas_no_slip = false;  ///< walls only: the gas sticks to the wall; acts where the gas has viscous stress
   double from = -std::numeric_limits<double>::infinity();  ///< start of the time window [s]
   double until = std::numeric_limits<double>::infinity();  ///< end of the time window [s]
 };
+
+/// Superficial velocity of the gas that `condition` lets into the box at a place on its side and a time [m/s].
+double gas_inflow(const Condition& condition, const std::array<double, max_dim>& place, double time);
 
 /// A part of one side of the box. Where segments overlap, the later one in the list holds.
 struct Segment {

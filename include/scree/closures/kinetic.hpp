@@ -135,19 +135,25 @@ std::array<Number, 4> kinetic_factors(const Number& nu, const KineticParameters&
       nu);
 }
 
+/// fJ of local equilibrium, factor_dissipation held up below nu of about 1e-3: in the dilute limit T would grow as
+/// 1/nu^2, but there the free path is hundreds of diameters and local equilibrium means nothing (relative change of T
+/// 5e-9 at nu = .1, less above).
+template <class Number>
+Number local_dissipation_factor(const Number& fJ, const KineticParameters& p) {
+  constexpr double dilute = 1e-3;
+  const double J_dilute = 48 / sqrt_pi * eta(p) * (1 - eta(p)) * dilute * dilute;
+  return sqrt(fJ * fJ + J_dilute * J_dilute);
+}
+
 /// sqrt(T) of local equilibrium -sigma_k : grad v = J_coll, eqs. (1.1) and (1.4) without gas [m/s].
 /// With sigma = sqrt(T)/d and the factors f of kinetic_factors this is the positive root of
-///     fJ sigma^2 + fp div_v sigma - (2 fmu S_S + fb div_v^2 + fJ floor/d^2) = 0,
+///     fJ sigma^2 + fp div_v sigma - (2 fmu S_S + fb div_v^2 + fJ floor/d^2) = 0,  fJ from local_dissipation_factor,
 /// where `floor` [m2/s2] makes T = floor at rest, which keeps the derivatives finite there (T >= floor in shear at
 /// constant volume; dilation may take it below).
-/// In the dilute limit T grows as 1/nu^2: fJ is held below nu of about 1e-3, where the free path is hundreds of
-/// diameters and local equilibrium means nothing (relative change of T 5e-9 at nu = .1, less above).
 template <class Number>
 Number algebraic_sqrt_temperature(const std::array<Number, 4>& factors, const Number& div_v, const Number& S_S,
                                   const KineticParameters& p, double floor) {
-  constexpr double dilute = 1e-3;
-  const double J_dilute = 48 / sqrt_pi * eta(p) * (1 - eta(p)) * dilute * dilute;
-  const Number fJ = sqrt(factors[factor_dissipation] * factors[factor_dissipation] + J_dilute * J_dilute);
+  const Number fJ = local_dissipation_factor(factors[factor_dissipation], p);
   const Number b = factors[factor_pressure] * div_v;
   const Number c =
       2.0 * factors[factor_shear] * S_S + factors[factor_bulk] * (div_v * div_v) + fJ * (floor / (p.d * p.d));

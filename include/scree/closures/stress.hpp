@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scree/closures/friction.hpp"
-#include "scree/closures/kinetic.hpp"
+#include "scree/closures/gas_damping.hpp"
 
 namespace scree {
 
@@ -14,16 +14,18 @@ struct SolidsParameters {
   TemperatureModel temperature = TemperatureModel::transport;
   double temperature_value = 1e-4;   ///< T where the model is `constant` [m2/s2]
   double temperature_floor = 1e-14;  ///< added to T under square roots [m2/s2]
+  GasParameters gas;
 };
 
 /// What the closures depend on at a point.
 template <class Number>
 struct SolidsPoint {
-  Number nu;     ///< solids fraction [-]
-  Number T;      ///< granular temperature, used if it is transported [m2/s2]
-  Number chi;    ///< scaled frictional pressure, used if it is relaxed [-]
-  Number div_v;  ///< [1/s]
-  Number S_S;    ///< S:S of the three-dimensional deviator [1/s2]
+  Number nu;                 ///< solids fraction [-]
+  Number T;                  ///< granular temperature, used if it is transported [m2/s2]
+  Number chi;                ///< scaled frictional pressure, used if it is relaxed [-]
+  Number div_v;              ///< [1/s]
+  Number S_S;                ///< S:S of the three-dimensional deviator [1/s2]
+  Number slip_squared{0.0};  ///< |u - v|^2, used if there is gas [m2/s2]
 };
 
 /// Names of the entries of cell_closure's result.
@@ -31,31 +33,39 @@ struct CellClosure {
   enum Entry : std::size_t {
     pressure,              ///< p of sigma_s = p I - 2 mu S, with the bulk term -eta mu_b div v [Pa]
     viscosity,             ///< mu of the same, kinetic + frictional [Pa s]
-    energy_source,         ///< -sigma_k : grad v - J_coll of (9); 0 up to floors where T is algebraic [W/m3]
+    energy_source,         ///< -sigma_k : grad v - J_coll - J_vis of (9); 0 up to floors where T is algebraic [W/m3]
     chi_star,              ///< (21); 1 or 0 for models critical_state and none [-]
     frictional_pressure,   ///< p_f [Pa]
     frictional_viscosity,  ///< sigma_f = p_f I - 2 mu_f S [Pa s]
     temperature,           ///< T of the temperature model [m2/s2]
     sqrt_temperature,      ///< regularised sqrt(T) [m/s]
+    drag,                  ///< beta of (6), 0 without gas [kg/(m3 s)]
+    drag_over_nu,          ///< beta/nu, 0 without gas [kg/(m3 s)]
     count
   };
 };
 
-/// Everything a cell needs, indexed by CellClosure. `T` and `chi` are ignored (any constant) where the models do not
-/// take them from the balances. Instantiated for double and Dual<3>, Dual<4>, Dual<5>; meant for `through`:
-///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S)
+/// Everything a cell needs, indexed by CellClosure. `T`, `chi` and `slip_squared` are ignored (any constant) where the
+/// models do not take them from the balances. Instantiated for double and Dual<3> ... Dual<6>; meant for `through`:
+///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S, slip_squared)
 template <class Number>
 std::array<Number, CellClosure::count> cell_closure(const Number& nu, const Number& T, const Number& chi,
-                                                    const Number& div_v, const Number& S_S, const SolidsParameters& p);
+                                                    const Number& div_v, const Number& S_S, const Number& slip_squared,
+                                                    const SolidsParameters& p);
 
 /// The viscosity of cell_closure alone, for shear stresses on edges [Pa s].
 template <class Number>
 Number edge_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                    const SolidsParameters& p);
+                    const Number& slip_squared, const SolidsParameters& p);
+
+/// kappa such that (1.3) is q = -kappa grad T, with k* of (1.5) if there is gas [kg/(m s)]. For transported T.
+/// Instantiated for double, Dual<2>, Dual<3>.
+template <class Number>
+Number face_conductivity(const Number& nu, const Number& T, const Number& slip_squared, const SolidsParameters& p);
 
 template <class Number>
 std::array<Number, CellClosure::count> cell_closure(const SolidsPoint<Number>& q, const SolidsParameters& p) {
-  return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, p);
+  return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, q.slip_squared, p);
 }
 
 /// 1 in all but voids, 0 in them: production balances dissipation only where particles collide within a few diameters.
@@ -67,22 +77,24 @@ Number local_equilibrium_share(const Number& nu) {
   return power / (1.0 + power);
 }
 
-/// {T, regularised sqrt(T)} by the temperature model, `factors` from kinetic_factors.
-template <class Number>
-std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array<Number, 4>& factors,
+/// {T, regularised sqrt(T)} by the temperature model, `factors` from kinetic_factors, `gas` a GasEffect or NoGas.
+template <class Number, class Gas>
+std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array<Number, 4>& factors, const Gas& gas,
                                   const SolidsParameters& p) {
   if (p.temperature == TemperatureModel::transport) return {q.T, sqrt_temperature(q.T, p.temperature_floor)};
   if (p.temperature == TemperatureModel::constant)
     return {Number(p.temperature_value), Number(sqrt_temperature(p.temperature_value, p.temperature_floor))};
   const Number sqrt_T = local_equilibrium_share(q.nu) *
-                        algebraic_sqrt_temperature(factors, q.div_v, q.S_S, p.kinetic, p.temperature_floor);
+                        algebraic_sqrt_temperature(q.nu, factors, gas, q.div_v, q.S_S, p.kinetic, p.temperature_floor);
   return {sqrt_T * sqrt_T, sqrt_T};
 }
 
 /// {T, regularised sqrt(T)} by the temperature model [m2/s2, m/s].
 template <class Number>
 std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const SolidsParameters& p) {
-  return temperature(q, kinetic_factors(q.nu, p.kinetic), p);
+  const auto factors = kinetic_factors(q.nu, p.kinetic);
+  if (p.gas.model == GasModel::none) return temperature(q, factors, NoGas{}, p);
+  return temperature(q, factors, gas_effect(q.nu, q.slip_squared, p.kinetic, p.gas), p);
 }
 
 /// {p, mu} of sigma_s = p I - 2 mu S, eq. (8) [Pa, Pa s].
@@ -92,7 +104,7 @@ std::array<Number, 2> solids_stress(const SolidsPoint<Number>& q, const SolidsPa
   return {all[CellClosure::pressure], all[CellClosure::viscosity]};
 }
 
-/// Source of (3/2) rho_s nu T in (9) without flux and gas: -sigma_k : grad v - J_coll [W/m3].
+/// Source of (3/2) rho_s nu T in (9) without flux: -sigma_k : grad v - J_coll - J_vis [W/m3].
 template <class Number>
 Number solids_energy_source(const SolidsPoint<Number>& q, const SolidsParameters& p) {
   return cell_closure(q, p)[CellClosure::energy_source];

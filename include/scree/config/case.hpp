@@ -7,6 +7,7 @@
 
 #include "scree/boundary/segment.hpp"
 #include "scree/closures/friction.hpp"
+#include "scree/closures/gas.hpp"
 #include "scree/closures/kinetic.hpp"
 #include "scree/closures/wall.hpp"
 #include "scree/equations/parameters.hpp"
@@ -29,13 +30,15 @@ struct InitialRegion {
   double surface = 0;            ///< equilibrium: coordinate of the free surface along gravity's axis [m]
   std::string table;             ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
   int table_axis = 0;
-  bool has_solids_fraction = false, has_velocity = false, has_temperature = false, has_chi = false;
+  bool has_solids_fraction = false, has_velocity = false, has_temperature = false, has_chi = false,
+       has_gas_velocity = false;
   double solids_fraction = 0;
   std::array<double, max_dim> velocity{0, 0, 0};
   std::array<double, max_dim * max_dim>
       velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
   double granular_temperature = 0;
   double chi = 1;
+  std::array<double, max_dim> gas_velocity{0, 0, 0};  ///< u before it is made consistent with (2) [m/s]
 };
 
 /// A named point at which monitor.csv reports fields.
@@ -95,6 +98,7 @@ struct Case {
   ModelParameters model;
   KineticParameters kinetic;
   FrictionParameters friction;
+  GasParameters gas;
   WallParameters wall;  ///< defaults of the segments
   std::vector<Segment> segments;
   std::vector<Plate> plates;

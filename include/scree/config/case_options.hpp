@@ -58,10 +58,15 @@ void declare_all(OptionSet& o, GridInput& grid, Case& scene);
 void declare_grid(OptionSet& o, GridInput& grid);
 void declare_model(OptionSet& o, int dim, ModelParameters& model);
 void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall);
+void declare_gas(OptionSet& o, Case& scene);
 void declare_friction(OptionSet& o, FrictionParameters& friction);
 void declare_wall(OptionSet& o, WallParameters& wall);
 std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene);
 std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene);
+/// What a side does to the gas; its kind and axis are known.
+void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& scene, Segment& segment);
+/// Slip of the gas at a wall or plate; its kind is known.
+void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, Condition& condition);
 std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene);
 void declare_time(OptionSet& o, TimeParameters& time);
 void declare_output(OptionSet& o, const GridInput& grid, Case& scene);
@@ -76,6 +81,9 @@ void put_on_grid(Case& scene);
 
 /// Combinations of values: one place for what concerns more than one option. Throws InputError.
 void check_case(const Case& scene);
+
+/// What the boundaries say of the gas; the sides are known to be covered. Throws InputError.
+void check_gas(const Case& scene);
 
 /// Throws InputError for the first key that is neither ours nor a definition nor PETSc's; names the nearest known one.
 void check_keys(const Database& database, const OptionSet& known);

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "scree/equations/assembly.hpp"
 #include "scree/equations/cell_balances.hpp"
 #include "scree/equations/edge_stress.hpp"
 #include "scree/equations/face_forces.hpp"
+#include "scree/equations/gas_continuity.hpp"
+#include "scree/equations/gas_forces.hpp"
+#include "scree/equations/gas_viscosity.hpp"
 #include "scree/equations/model.hpp"
 #include "scree/equations/momentum_fluxes.hpp"
 #include "scree/equations/scalar_fluxes.hpp"
@@ -20,84 +24,133 @@ class AssembledModel final : public Model {
  public:
   explicit AssembledModel(const ModelSetup& setup)
       : setup_(setup),
-        scene_{setup.lattice, setup.barriers, setup_.model, setup_.solids},
+        assembly_{{setup.lattice, setup.barriers, setup_.model, setup_.solids},
+                  L::count,
+                  std::vector<double>(L::count),
+                  std::vector<double>(L::count),
+                  {}},
         fields_(fields_of<L>(setup.scales)) {
     const double rho_s = setup_.solids.kinetic.rho_s, V = setup_.scales.velocity, t = setup_.scales.time;
-    scale_[L::nu] = 1;
-    row_scale_[L::nu] = t;
+    const double rho = setup_.scales.density;
+    assembly_.scale[L::nu] = 1;
+    assembly_.row_scale[L::nu] = t;
     for (int axis = 0; axis < L::dim; ++axis) {
-      scale_[L::v(axis)] = V;
-      row_scale_[L::v(axis)] = t / (rho_s * V);
+      assembly_.scale[L::v(axis)] = V;
+      assembly_.row_scale[L::v(axis)] = t / (rho_s * V);
     }
     if constexpr (L::has_T) {
-      scale_[L::T] = V * V;
-      row_scale_[L::T] = t / (rho_s * V * V);
+      assembly_.scale[L::T] = V * V;
+      assembly_.row_scale[L::T] = t / (rho_s * V * V);
     }
     if constexpr (L::has_chi) {
-      scale_[L::chi] = 1;
-      row_scale_[L::chi] = t;
+      assembly_.scale[L::chi] = 1;
+      assembly_.row_scale[L::chi] = t;
+    }
+    for (int axis = 0; axis < L::dim && L::has_u; ++axis) {
+      assembly_.scale[L::u(axis)] = V;
+      assembly_.row_scale[L::u(axis)] = t / (rho * V);
+    }
+    if constexpr (L::has_gas) {
+      assembly_.scale[L::p] = rho * V * V;
+      assembly_.row_scale[L::p] = t;
     }
     mark_balances();
   }
 
   int unknowns() const override { return L::count; }
   const std::vector<Field>& fields() const override { return fields_; }
-  double continuity_scale() const override { return row_scale_[L::nu]; }
+  double continuity_scale() const override { return assembly_.row_scale[L::nu]; }
+  int gas_pressure() const override { return L::p; }
+  int gas_velocity(int axis) const override { return L::u(axis); }
+  void set_time(double time) override { assembly_.scene.time = time; }
   bool is_balance(int component, const Index& I) const override {
-    return (balance_[setup_.lattice.ghosted(I)] >> component & 1) != 0;
+    return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
   }
 
   void residual(const double* state, const double* rate, double* residual) const override {
     std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
-    ResidualVisitor visitor{*this, state, rate, residual};
+    Assembly::ResidualVisitor visitor{assembly_, state, rate, residual};
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
-      const int row = owned_unknown(c.component, c.node);
+      const int row = assembly_.owned_unknown(c.component, c.node);
       residual[row] = constraint_value(c, state, rate);
     });
+    if (!setup_.barriers.some_open())
+      each_pressure_row(
+          [&](int row, const Index& I) { residual[row] += pressure_hold * state[assembly_.ghosted_unknown(L::p, I)]; });
   }
 
   void sparsity(EntrySink& sink) const override {
-    PatternVisitor visitor{*this, sink};
+    Assembly::PatternVisitor visitor{assembly_, sink};
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
-      const int row = owned_unknown(c.component, c.node);
-      sink.entry(row, ghosted_unknown(c.component, c.node));
-      if (c.kind == Constraint::follow) sink.entry(row, ghosted_unknown(c.component, c.neighbour));
+      const int row = assembly_.owned_unknown(c.component, c.node);
+      sink.entry(row, assembly_.ghosted_unknown(c.component, c.node));
+      if (c.kind == Constraint::follow) sink.entry(row, assembly_.ghosted_unknown(c.component, c.neighbour));
+      if (c.kind == Constraint::superficial) sink.entry(row, assembly_.ghosted_unknown(L::nu, c.neighbour));
     });
+    each_pressure_row([&](int row, const Index& I) { sink.entry(row, assembly_.ghosted_unknown(L::p, I)); });
   }
 
   void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places, double* diagonal,
                 double* off_diagonal) const override {
-    JacobianVisitor visitor{*this, state, rate, shift, places.data(), diagonal, off_diagonal};
+    Assembly::JacobianVisitor visitor{assembly_, state, rate, shift, places.data(), diagonal, off_diagonal};
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
-      visitor.put(c.kind == Constraint::freeze ? shift * row_scale_[L::nu] : 1.0);
+      if (c.kind == Constraint::superficial) {
+        visitor.put(1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]);
+        visitor.put(-state[assembly_.ghosted_unknown(c.component, c.node)]);
+        return;
+      }
+      visitor.put(c.kind == Constraint::freeze ? shift * assembly_.row_scale[L::nu] : 1.0);
       if (c.kind == Constraint::follow) visitor.put(-1.0);
     });
+    each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
   }
 
   double solids_flux(const double* state, int axis, const Index& I) const override {
     double flux = 0;
     static_for<L::dim>([&](auto a) {
       using Kernel = ScalarFluxes<L, SecondOrder, a()>;
-      if (a() != axis || !Kernel::active(scene_, I)) return;
+      if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
       Local<Kernel, double> q;
-      gather(state, state, 0, I, q);
-      flux = mass_flux<L, SecondOrder>(scene_, I, q, axis, {});
+      assembly_.gather(state, state, 0, I, q);
+      flux = mass_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
+    });
+    return flux;
+  }
+
+  double gas_flux(const double* state, int axis, const Index& I) const override {
+    double flux = 0;
+    static_for<L::dim>([&](auto a) {
+      if constexpr (L::has_gas) {
+        using Kernel = GasContinuity<Core, SecondOrder, a()>;
+        if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
+        Local<Kernel, double> q;
+        assembly_.gather(state, state, 0, I, q);
+        flux = scree::gas_flux<Core>(assembly_.scene, I, q, axis, Index{});
+      }
     });
     return flux;
   }
 
  private:
+  using Core = typename L::Core;
+  using Particles = ParticlePhase<Core, SecondOrder>;
+  using Gas = GasPhase<Core, SecondOrder>;
+
   /// A row that is no balance: a velocity on a side or plate, a frozen unknown, or padding.
   struct Constraint {
-    enum Kind { fix, follow, freeze } kind;
+    enum Kind { fix, follow, freeze, superficial } kind;
     int component;
     Index node;
-    double value = 0;   ///< fix: the stored value
-    Index neighbour{};  ///< follow: zero gradient towards this node
+    double value = 0;   ///< fix: the stored value; superficial: (1-nu) times it
+    Index neighbour{};  ///< follow: zero gradient towards this node; superficial: the cell before the side
   };
+
+  /// Times p_g, added to (2) where no side is open: it settles the level of p_g, whose mean it makes zero. Elsewhere it
+  /// stands in the Jacobian alone, as a stored diagonal for factorisations, too small to be noticed.
+  static constexpr double pressure_hold = 1e-11;
 
   template <int count, class Work>
   static void static_for(Work&& work) {
@@ -119,153 +172,68 @@ class AssembledModel final : public Model {
     for_each_node(first, count, [&](const Index& I) {
       static_for<L::dim>([&](auto a) {
         visitor.template visit<ScalarFluxes<L, SecondOrder, a()>>(I);
-        visitor.template visit<NormalMomentumFlux<L, SecondOrder, a()>>(I);
-        visitor.template visit<FaceForces<L, a()>>(I);
+        visitor.template visit<NormalMomentumFlux<Particles, a()>>(I);
+        visitor.template visit<FaceForces<Core, a()>>(I);
         static_for<L::dim>([&](auto b) {
-          if constexpr (a() != b()) visitor.template visit<CrossMomentumFlux<L, SecondOrder, a(), b()>>(I);
+          if constexpr (a() != b()) visitor.template visit<CrossMomentumFlux<Particles, a(), b()>>(I);
           if constexpr (a() < b()) visitor.template visit<EdgeStress<L, a(), b()>>(I);
         });
-        if constexpr (L::dim > 1 || L::has_T) {
-          visitor.template visit<WallLaws<L, a(), false>>(I);
-          visitor.template visit<WallLaws<L, a(), true>>(I);
-        }
       });
+      visitor.template visit<WallLaws<L>>(I);
       visitor.template visit<CellBalances<L>>(I);
+      if constexpr (L::has_gas) sweep_gas(visitor, I);
     });
   }
-
-  int ghosted_unknown(int component, const Index& I) const { return setup_.lattice.ghosted(I) * L::count + component; }
-  int owned_unknown(int component, const Index& I) const { return setup_.lattice.owned(I) * L::count + component; }
-
-  /// The rows of a kernel that are balances of this rank, as bits; 0 if the kernel has nothing to do at I. Nodes of
-  /// other ranks have no bits set in balance_.
-  template <class Kernel>
-  unsigned rows_at(const Index& I) const {
-    const int base = setup_.lattice.ghosted(I);
-    unsigned rows = 0;
-    for (std::size_t k = 0; k < Kernel::rows.size(); ++k) {
-      const int node = base + setup_.lattice.ghosted_stride(Kernel::rows[k].offset);
-      rows |= (balance_[static_cast<std::size_t>(node)] >> Kernel::rows[k].component & 1U) << k;
-    }
-    return rows != 0 && Kernel::active(scene_, I) ? rows : 0;
-  }
-
-  /// Calls work(k, ghosted unknown, factor) for each input k of a kernel at anchor I.
-  template <class Kernel, class Work>
-  void each_source(const Index& I, Work&& work) const {
-    const int base = setup_.lattice.ghosted(I);
-    const bool near = scene_.barriers.near(I);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(Kernel::stencil.size); ++k) {
-      const Input& input = Kernel::stencil.inputs[k];
-      Reference from{input.offset, 1};
-      if (near) from = Kernel::resolve(scene_, I, input);
-      work(k, (base + setup_.lattice.ghosted_stride(from.offset)) * L::count + input.component, from.factor);
-    }
-  }
-
-  template <class Kernel, class Number>
-  void gather(const double* state, const double* rate, double shift, const Index& I, Local<Kernel, Number>& q) const {
-    each_source<Kernel>(I, [&](std::size_t k, int unknown, double factor) {
-      const double scale = factor * scale_[Kernel::stencil.inputs[k].component];
-      q.value[k] = Number(scale * state[unknown]);
-      q.rate[k] = scale * rate[unknown];
-      if constexpr (IsDual<Number>::value) {
-        q.value[k].derivative[k] = scale;
-        q.rate_slope[k] = shift * scale;
+  template <class Visitor>
+  void sweep_gas(Visitor& visitor, const Index& I) const {
+    static_for<L::dim>([&](auto a) {
+      visitor.template visit<GasContinuity<Core, SecondOrder, a()>>(I);
+      visitor.template visit<GasForces<Core, a()>>(I);
+      if constexpr (L::has_u) {
+        visitor.template visit<NormalMomentumFlux<Gas, a()>>(I);
+        visitor.template visit<GasNormalStress<Core, a()>>(I);
+        static_for<L::dim>([&](auto b) {
+          if constexpr (a() != b()) {
+            visitor.template visit<CrossMomentumFlux<Gas, a(), b()>>(I);
+            visitor.template visit<GasShearStress<Core, a(), b()>>(I);
+          }
+        });
+        visitor.template visit<GasWallStress<Core, a()>>(I);
       }
     });
   }
-
-  struct ResidualVisitor {
-    const AssembledModel& model;
-    const double *state, *rate;
-    double* residual;
-
-    template <class Kernel>
-    void visit(const Index& I) {
-      const unsigned rows = model.template rows_at<Kernel>(I);
-      if (rows == 0) return;
-      Local<Kernel, double> q;
-      model.gather(state, rate, 0, I, q);
-      std::array<double, Kernel::rows.size()> r{};
-      Kernel::evaluate(model.scene_, I, q, r);
-      for (std::size_t k = 0; k < r.size(); ++k) {
-        if ((rows >> k & 1) == 0) continue;
-        const Output& row = Kernel::rows[k];
-        residual[model.owned_unknown(row.component, I + row.offset)] += model.row_scale_[row.component] * r[k];
-      }
-    }
-  };
-
-  struct PatternVisitor {
-    const AssembledModel& model;
-    EntrySink& sink;
-
-    template <class Kernel>
-    void visit(const Index& I) {
-      const unsigned rows = model.template rows_at<Kernel>(I);
-      if (rows == 0) return;
-      std::array<int, Kernel::stencil.size> columns;
-      model.template each_source<Kernel>(I, [&](std::size_t j, int unknown, double) { columns[j] = unknown; });
-      for (std::size_t k = 0; k < Kernel::rows.size(); ++k) {
-        if ((rows >> k & 1) == 0) continue;
-        const Output& row = Kernel::rows[k];
-        const int at = model.owned_unknown(row.component, I + row.offset);
-        for (std::size_t j = 0; j < columns.size(); ++j)
-          if (Kernel::depends(static_cast<int>(k), Kernel::stencil.inputs[j])) sink.entry(at, columns[j]);
-      }
-    }
-  };
-
-  struct JacobianVisitor {
-    const AssembledModel& model;
-    const double *state, *rate;
-    double shift;
-    const std::int32_t* place;
-    double *diagonal, *off_diagonal;
-
-    void put(double value) {
-      const std::int32_t at = *place++;
-      if (at >= 0)
-        diagonal[at] += value;
-      else if (at != -1)
-        off_diagonal[-2 - at] += value;
-    }
-
-    template <class Kernel>
-    void visit(const Index& I) {
-      const unsigned rows = model.template rows_at<Kernel>(I);
-      if (rows == 0) return;
-      using Number = Dual<Kernel::stencil.size>;
-      Local<Kernel, Number> q;
-      model.gather(state, rate, shift, I, q);
-      std::array<Number, Kernel::rows.size()> r{};
-      Kernel::evaluate(model.scene_, I, q, r);
-      for (std::size_t k = 0; k < r.size(); ++k) {
-        if ((rows >> k & 1) == 0) continue;
-        const double scale = model.row_scale_[Kernel::rows[k].component];
-        for (std::size_t j = 0; j < static_cast<std::size_t>(Kernel::stencil.size); ++j)
-          if (Kernel::depends(static_cast<int>(k), Kernel::stencil.inputs[j])) put(scale * r[k].derivative[j]);
-      }
-    }
-  };
 
   /// Bits of the rows that are balances; the others are constraints.
   void mark_balances() {
     const Lattice& grid = setup_.lattice;
-    balance_.assign(grid.ghosted_size(), 0);
+    assembly_.balance.assign(grid.ghosted_size(), 0);
     for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
       unsigned rows = 0;
       if (grid.inside(I)) {
         if (setup_.model.solids_moving) rows |= 1U << L::nu;
-        if constexpr (L::has_T) rows |= 1U << L::T;
-        if constexpr (L::has_chi) rows |= 1U << L::chi;
+        if constexpr (L::has_T) rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::T;
+        if constexpr (L::has_chi) rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::chi;
+        if constexpr (L::has_gas) rows |= 1U << L::p;
       }
-      for (int axis = 0; axis < L::dim; ++axis)
-        if (setup_.model.solids_moving && grid.inside(I) && grid.inside(I - unit(axis)) && !setup_.barriers.at(axis, I))
-          rows |= 1U << L::v(axis);
-      balance_[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
+      for (int axis = 0; axis < L::dim; ++axis) {
+        const bool barrier = setup_.barriers.at(axis, I);
+        const bool between = grid.inside(I) && grid.inside(I - unit(axis)) && !barrier;
+        if (between && setup_.model.solids_moving) rows |= 1U << L::v(axis);
+        if constexpr (L::has_u)
+          if (between || (barrier && setup_.barriers.condition(axis, I).kind == BoundaryKind::open))
+            rows |= 1U << L::u(axis);
+      }
+      assembly_.balance[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
     });
+  }
+
+  /// Calls work(row, I) for each owned balance of gas volume.
+  template <class Work>
+  void each_pressure_row([[maybe_unused]] Work&& work) const {
+    if constexpr (L::has_gas)
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (is_balance(L::p, I)) work(assembly_.owned_unknown(L::p, I), I);
+      });
   }
 
   /// Calls work(Constraint) for each owned row that is no balance, always in the same order.
@@ -287,6 +255,7 @@ class AssembledModel final : public Model {
     }
     const int axis = L::axis_of(component);
     if (!grid.is_face(axis, I)) return result;
+    if (L::is_u(component)) return gas_constraint(result, axis);
     if (!setup_.model.solids_moving) {
       result.kind = Constraint::freeze;
       return result;
@@ -294,36 +263,45 @@ class AssembledModel final : public Model {
     const Condition& condition = setup_.barriers.condition(axis, I);
     if (condition.kind == BoundaryKind::open) {
       result.kind = Constraint::follow;
-      result.neighbour = box_above(scene_, axis, I) ? I + unit(axis) : I - unit(axis);
+      result.neighbour = box_above(assembly_.scene, axis, I) ? I + unit(axis) : I - unit(axis);
     } else if (condition.kind != BoundaryKind::symmetry) {
-      result.value = condition.velocity[axis] / scale_[component];
+      result.value = condition.velocity[axis] / assembly_.scale[component];
+    }
+    return result;
+  }
+
+  /// The constraint of u on a side or plate.
+  Constraint gas_constraint(Constraint result, int axis) const {
+    const Condition& condition = setup_.barriers.condition(axis, result.node);
+    if (brings_gas(condition.kind)) {
+      result.kind = Constraint::superficial;
+      result.value = given_gas_flux(assembly_.scene, axis, result.node) / assembly_.scale[result.component];
+      result.neighbour = box_above(assembly_.scene, axis, result.node) ? result.node : result.node - unit(axis);
+    } else if (condition.kind != BoundaryKind::symmetry) {
+      result.value = condition.velocity[axis] / assembly_.scale[result.component];
     }
     return result;
   }
 
   double constraint_value(const Constraint& c, const double* state, const double* rate) const {
-    const double here = state[ghosted_unknown(c.component, c.node)];
-    if (c.kind == Constraint::freeze) return row_scale_[L::nu] * rate[ghosted_unknown(c.component, c.node)];
-    return here - (c.kind == Constraint::follow ? state[ghosted_unknown(c.component, c.neighbour)] : c.value);
+    const double here = state[assembly_.ghosted_unknown(c.component, c.node)];
+    if (c.kind == Constraint::freeze)
+      return assembly_.row_scale[L::nu] * rate[assembly_.ghosted_unknown(c.component, c.node)];
+    if (c.kind == Constraint::superficial)
+      return (1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]) * here - c.value;
+    return here - (c.kind == Constraint::follow ? state[assembly_.ghosted_unknown(c.component, c.neighbour)] : c.value);
   }
 
   ModelSetup setup_;
-  Scene scene_;
+  Assembly assembly_;
   std::vector<Field> fields_;
-  std::array<double, L::count> scale_, row_scale_;
-  std::vector<std::uint16_t> balance_;
 };
 
-/// Explicitly instantiated, one dimension a file.
-std::unique_ptr<Model> make_model_1d(const ModelSetup& setup);
-std::unique_ptr<Model> make_model_2d(const ModelSetup& setup);
-std::unique_ptr<Model> make_model_3d(const ModelSetup& setup);
-
 /// Turns the run-time choices into the type of the model.
-template <int dim>
+template <int dim, GasModel gas>
 std::unique_ptr<Model> choose_model(const ModelSetup& setup) {
   const auto with = [&](auto T, auto chi, auto second_order) -> std::unique_ptr<Model> {
-    return std::make_unique<AssembledModel<Layout<dim, T(), chi()>, second_order()>>(setup);
+    return std::make_unique<AssembledModel<Layout<dim, T(), chi(), gas>, second_order()>>(setup);
   };
   const auto with_chi = [&](auto T, auto chi) {
     return setup.model.advection == AdvectionScheme::upwind ? with(T, chi, std::false_type{})

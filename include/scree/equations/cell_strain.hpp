@@ -2,9 +2,7 @@
 /// edges. The deviator is three-dimensional in plane flow too: S:S = D:D - (div v)^2/3 with the missing D_aa zero.
 #pragma once
 
-#include "scree/equations/kernel.hpp"
-#include "scree/equations/layout.hpp"
-#include "scree/equations/scene.hpp"
+#include "scree/equations/gas_slip.hpp"
 
 namespace scree {
 
@@ -28,6 +26,7 @@ constexpr StencilBuilder cell_stencil() {
   s.add(L::T, {});
   s.add(L::chi, {});
   add_cell_strain_inputs<L>(s);
+  add_cell_slip_inputs<L>(s);
   return s;
 }
 
@@ -46,7 +45,8 @@ inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, con
         if (!scene.barriers.at(axis, face)) return;
         const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
         const bool between = scene.barriers.at(axis, I + (1 - side) * unit(axis));
-        free = free || between || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::symmetry;
+        free = free || between || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::gas_inlet ||
+               kind == BoundaryKind::symmetry;
         from = 1 - side;
       };
       look(a, side_a, from_a);
@@ -120,13 +120,14 @@ decltype(auto) chi_input(const Q& q, const Index& at = {}) {
 
 /// The chosen entries of the closures of cell I, e.g. closures<L, CellClosure::pressure>(...)[0].
 template <class L, CellClosure::Entry... entries, class Q, class Strain>
-auto cell_closures(const Scene& scene, const Q& q, const Strain& strain) {
+auto cell_closures(const Scene& scene, const Index& I, const Q& q, const Strain& strain) {
   return through(
-      [&](const auto& nu, const auto& T, const auto& chi, const auto& div_v, const auto& S_S) {
-        const auto all = cell_closure(nu, T, chi, div_v, S_S, scene.solids);
+      [&](const auto& nu, const auto& T, const auto& chi, const auto& div_v, const auto& S_S,
+          const auto& slip_squared) {
+        const auto all = cell_closure(nu, T, chi, div_v, S_S, slip_squared, scene.solids);
         return std::array<std::decay_t<decltype(nu)>, sizeof...(entries)>{all[entries]...};
       },
-      q(L::nu), temperature_input<L>(q), chi_input<L>(q), strain.div_v, strain.S_S);
+      q(L::nu), temperature_input<L>(q), chi_input<L>(q), strain.div_v, strain.S_S, cell_slip_squared<L>(scene, I, q));
 }
 
 }  // namespace scree

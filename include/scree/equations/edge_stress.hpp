@@ -29,6 +29,7 @@ struct EdgeStress {
         }
       }
     }
+    add_edge_slip_inputs<L>(s, a, b);
     return s;
   }
   static constexpr StencilBuilder stencil = make_stencil();
@@ -51,9 +52,11 @@ struct EdgeStress {
     const Number nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
-    const Number mu = through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_,
-                                  const auto& S_S_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, scene.solids); },
-                              nu, T, chi, div_v, S_S);
+    const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu);
+    const Number mu =
+        through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
+                    const auto& slip_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
+                nu, T, chi, div_v, S_S, slip_squared);
     const Number sigma = -2.0 * mu * D_ab;
 
     const bool near = scene.barriers.near(I);

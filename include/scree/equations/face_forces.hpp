@@ -4,11 +4,14 @@
 #include "scree/equations/kernel.hpp"
 #include "scree/equations/layout.hpp"
 #include "scree/equations/scene.hpp"
+#include "scree/equations/voids.hpp"
 
 namespace scree {
 
-/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: eps is added to nu in the inertia,
-/// and a drag eps rho_s v/t_d lets the velocity there decay; gravity acts on nu alone.
+/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: void_floor is added to nu in the
+/// inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay (towards that of the gas, by the gas's
+/// own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu alone. With gas it is reduced by buoyancy,
+/// since p_g is what exceeds the pressure of still gas.
 template <class L, int axis>
 struct FaceForces {
   static constexpr Index e = unit(axis);
@@ -31,10 +34,11 @@ struct FaceForces {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
                        std::array<Number, count>& r) {
-    const double rho_s = scene.solids.kinetic.rho_s, eps = scene.model.void_fraction_floor;
+    const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
     const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
-    r[0] += rho_s * (nu + eps) * q.dot(L::v(axis)) - (rho_s * scene.model.gravity[axis]) * nu +
-            (rho_s * eps / scene.model.void_drag_time) * q(L::v(axis));
+    const Number floor = void_floor(nu, scene.model.void_fraction_floor);
+    r[0] += rho_s * (nu + floor) * q.dot(L::v(axis)) - ((rho_s - rho_g) * scene.model.gravity[axis]) * nu;
+    if constexpr (!L::has_u) r[0] += (rho_s / scene.model.void_drag_time) * floor * q(L::v(axis));
   }
 };
 

@@ -38,7 +38,7 @@ struct Reference {
 
 /// A list of inputs without duplicates, made at compile time.
 struct StencilBuilder {
-  static constexpr int capacity = 64;
+  static constexpr int capacity = 127;
   std::array<Input, capacity> inputs{};
   int size = 0;
 
@@ -61,7 +61,7 @@ template <class Kernel>
 struct StencilTable {
   static constexpr int reach = 3;
   static constexpr int width = 2 * reach + 1;
-  static constexpr int components = 8;
+  static constexpr int components = 10;
   std::array<std::int8_t, static_cast<std::size_t>(components* width* width* width)> position{};
 
   static constexpr std::size_t code(int component, const Index& offset) {

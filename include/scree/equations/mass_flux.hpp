@@ -21,9 +21,6 @@ constexpr void add_mass_flux_inputs(StencilBuilder& s, int axis, const Index& at
     s.add(L::nu, at + reach * unit(axis));
 }
 
-/// Whether the box lies above the side that carries the lower `axis` face of I.
-inline bool box_above(const Scene& scene, int axis, const Index& I) { return !scene.lattice.inside(I - unit(axis)); }
-
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
 auto mass_flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {

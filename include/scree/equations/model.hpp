@@ -49,6 +49,13 @@ class Model {
   virtual double continuity_scale() const = 0;
   /// Volume flux of solids nu v at the lower `axis` face of an owned node, SI, as in the balances [m/s].
   virtual double solids_flux(const double* state, int axis, const Index& I) const = 0;
+  /// Volume flux of gas (1-nu) u there [m/s]; 0 without gas.
+  virtual double gas_flux(const double* state, int axis, const Index& I) const = 0;
+  /// Components of p_g and of u along an axis; -1 where they are no unknowns.
+  virtual int gas_pressure() const = 0;
+  virtual int gas_velocity(int axis) const = 0;
+  /// Time at which conditions that are functions of time are taken [s].
+  virtual void set_time(double time) = 0;
   /// Whether row `component` of node I is a balance (and not a constraint of a side, or padding).
   virtual bool is_balance(int component, const Index& I) const = 0;
 };
@@ -63,7 +70,7 @@ struct ModelSetup {
 };
 
 /// The number of unknowns a node and the stencil width of the model for these parameters.
-std::pair<int, int> model_extent(int dim, const ModelParameters& model, const FrictionParameters& friction);
+std::pair<int, int> model_extent(int dim, const ModelParameters& model, const SolidsParameters& solids);
 
 std::unique_ptr<Model> make_model(const ModelSetup& setup);
 

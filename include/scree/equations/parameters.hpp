@@ -18,14 +18,19 @@ struct ModelParameters {
   AdvectionScheme advection = AdvectionScheme::upwind;
   std::array<double, max_dim> gravity{0, 0, 0};  ///< [m/s2]
   bool solids_moving = true;                     ///< false: nu and v are frozen at their initial values
-  double void_fraction_floor = 1e-5;  ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
-  double void_drag_time = 1e-2;       ///< t_d of that drag [s]
+  bool gas_alone = false;               ///< T and chi are frozen too: used to make p_g and u consistent with the rest
+  bool gas_viscous_stress = false;      ///< sigma_g of (5) in full; false: sigma_g = p_g I
+  double darcy_solids_fraction = 1e-3;  ///< gas darcy: drag in voids is that of this solids fraction [-]
+  double void_fraction_floor = 1e-5;    ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
+  double void_drag_time = 1e-2;         ///< t_d of that drag [s]
 };
 
 /// Scales that make unknowns and residuals dimensionless: SI value = scale * stored value.
 struct Scales {
   double velocity = 0.1;  ///< V; granular temperature is scaled by V^2 [m/s]
-  double time = 1e-2;     ///< V/g; momentum is scaled by rho_s V/time, i.e. rho_s g [s]
+  double time = 1e-2;     ///< V/g; momentum is scaled by density V/time, i.e. rho_s g [s]
+  double density =
+      2900;  ///< of the particles, or of the gas in scenes without particles; p_g is scaled by it times V^2
 };
 
 }  // namespace scree

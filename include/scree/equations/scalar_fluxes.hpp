@@ -2,7 +2,7 @@
 /// granular temperature (9), advection of chi (23).
 #pragma once
 
-#include "scree/equations/layout.hpp"
+#include "scree/equations/gas_slip.hpp"
 #include "scree/equations/mass_flux.hpp"
 
 namespace scree {
@@ -20,6 +20,7 @@ struct ScalarFluxes {
       s.add(L::T, reach * e);
       s.add(L::chi, reach * e);
     }
+    if (L::has_T) add_face_slip_inputs<L>(s, axis);
     return s;
   }
   static constexpr StencilBuilder stencil = make_stencil();
@@ -38,15 +39,17 @@ struct ScalarFluxes {
   }
   static constexpr std::array<Output, row_count> rows = make_rows();
   static constexpr bool depends(int row, const Input& input) {
-    if (input.component == L::nu || input.component == L::v(axis)) return true;
-    return input.component == rows[row].component;
+    if (input.component == L::nu || (input.component == L::v(axis) && input.offset == Index{})) return true;
+    if (input.component == L::T || input.component == L::chi) return input.component == rows[row].component;
+    return L::has_T && rows[row].component == L::T;  // slip of the gas, in the conductivity
   }
 
   static bool active(const Scene& scene, const Index& I) {
     return scene.lattice.is_face(axis, I) && !scene.barriers.wall(axis, I);
   }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
-    if (L::is_velocity(input.component)) return {input.offset, 1};
+    const bool carried = input.component == L::nu || input.component == L::T || input.component == L::chi;
+    if (!carried) return {input.offset, 1};
     return cell_before_barrier(scene, I, axis, {}, input.offset[axis]);
   }
 
@@ -101,11 +104,10 @@ struct ScalarFluxes {
     const Number &below = q(L::T, -1 * e), &above = q(L::T);
     const Number nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number T_face = face_mean(scene, axis, I, below, above);
-    const SolidsParameters& p = scene.solids;
-    const Number kappa =
-        through([&](const auto& nu,
-                    const auto& T) { return conductivity(nu, sqrt_temperature(T, p.temperature_floor), p.kinetic); },
-                nu_face, T_face);
+    const auto slip_squared = face_slip_squared<L>(scene, I, q, axis, nu_face);
+    const Number kappa = through(
+        [&](const auto& nu, const auto& T, const auto& slip_) { return face_conductivity(nu, T, slip_, scene.solids); },
+        nu_face, T_face, slip_squared);
     return kappa * (below - above) / scene.axis(axis).distance(I[axis]);
   }
 };

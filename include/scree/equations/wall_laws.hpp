@@ -6,48 +6,60 @@
 
 namespace scree {
 
-/// Anchor I: a cell whose lower (upper = false) or upper `axis` face is a wall. Each tangential velocity of the cell
-/// takes the part of the wall stress that lies in this cell.
-template <class L, int axis, bool upper>
+/// Anchor I: a cell with a wall. Each velocity along the wall takes the part of the wall stress that lies in this cell.
+template <class L>
 struct WallLaws {
   static constexpr StencilBuilder stencil = cell_stencil<L>();
 
-  static constexpr int T_row = 2 * (L::dim - 1);
+  static constexpr int T_row = 2 * L::dim;
   static constexpr int row_count = T_row + (L::has_T ? 1 : 0);
   static constexpr std::array<Output, row_count> make_rows() {
     std::array<Output, row_count> rows{};
-    int row = 0;
     for (int t = 0; t < L::dim; ++t) {
-      if (t == axis) continue;
-      rows[row++] = {L::v(t), Index{}};
-      rows[row++] = {L::v(t), unit(t)};
+      rows[2 * t] = {L::v(t), Index{}};
+      rows[2 * t + 1] = {L::v(t), unit(t)};
     }
-    if (L::has_T) rows[row] = {L::T, Index{}};
+    if (L::has_T) rows[T_row] = {L::T, Index{}};
     return rows;
   }
   static constexpr std::array<Output, row_count> rows = make_rows();
   static constexpr bool depends(int, const Input&) { return true; }
 
-  static Index face(const Index& I) { return upper ? I + unit(axis) : I; }
   static bool active(const Scene& scene, const Index& I) {
-    if (row_count == 0 || !scene.lattice.inside(I) || !scene.barriers.at(axis, face(I))) return false;
-    const BoundaryKind kind = scene.barriers.condition(axis, face(I)).kind;
-    return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_no_slip;
+    if (!scene.barriers.near(I) || !scene.lattice.inside(I)) return false;
+    for (int axis = 0; axis < L::dim; ++axis)
+      for (int side = 0; side < 2; ++side)
+        if (acts(scene, axis, I + side * unit(axis))) return true;
+    return false;
   }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
                        std::array<Number, count>& r) {
-    const Condition& wall = scene.barriers.condition(axis, face(I));
     const auto strain = cell_strain<L>(scene, I, q);
-    if (wall.kind == BoundaryKind::wall_no_slip)
-      no_slip(scene, I, q, strain, wall, r);
-    else
-      johnson_jackson(scene, I, q, strain, wall, r);
+    const auto closures =
+        cell_closures<L, CellClosure::viscosity, CellClosure::frictional_pressure, CellClosure::frictional_viscosity,
+                      CellClosure::temperature, CellClosure::sqrt_temperature>(scene, I, q, strain);
+    for (int axis = 0; axis < L::dim; ++axis)
+      for (int side = 0; side < 2; ++side) {
+        const Index face = I + side * unit(axis);
+        if (!acts(scene, axis, face)) continue;
+        const Condition& wall = scene.barriers.condition(axis, face);
+        if (wall.kind == BoundaryKind::wall_no_slip)
+          no_slip(scene, I, q, axis, closures[0], wall, r);
+        else
+          johnson_jackson(scene, I, q, axis, strain, closures, wall, r);
+      }
   }
 
  private:
+  static bool acts(const Scene& scene, int axis, const Index& face) {
+    if (!scene.barriers.at(axis, face)) return false;
+    const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
+    return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_no_slip;
+  }
+
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
   template <class Q>
   static auto slip(const Q& q, const Condition& wall, int t, int side) {
@@ -56,7 +68,7 @@ struct WallLaws {
 
   /// |v_sl|^2 at a tangential velocity: its own component there, the mean over the cell of the other one.
   template <class Number, class Q>
-  static Number slip_speed_squared(const Q& q, const Condition& wall, int t, int side) {
+  static Number slip_speed_squared(const Q& q, const Condition& wall, int axis, int t, int side) {
     const auto own = slip(q, wall, t, side);
     Number sum = own * own;
     for (int other = 0; other < L::dim; ++other) {
@@ -67,53 +79,49 @@ struct WallLaws {
     return sum;
   }
 
-  /// Adds the stress `coefficient` v_sl to the balance of one tangential velocity.
+  /// Adds a stress to the balance of one tangential velocity.
   template <class Number, std::size_t count>
-  static void add_stress(const Scene& scene, const Index& I, int t, int side, int row, const Number& coefficient_slip,
+  static void add_stress(const Scene& scene, const Index& I, int axis, int t, int side, const Number& stress,
                          std::array<Number, count>& r) {
     const double below = scene.axis(t).lower_share(I[t] + side);
     const double share = side == 0 ? 1 - below : below;  // of the control volume in this cell
-    r[row] += share * coefficient_slip / scene.axis(axis).width(I[axis]);
+    r[2 * t + side] += share * stress / scene.axis(axis).width(I[axis]);
   }
 
   template <class Number, class Strain, std::size_t count>
-  static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
-                              const Strain& strain, const Condition& wall, std::array<Number, count>& r) {
+  static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis,
+                              const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
+                              std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
-    const auto [p_f, mu_f, T, sqrt_T] =
-        cell_closures<L, CellClosure::frictional_pressure, CellClosure::frictional_viscosity, CellClosure::temperature,
-                      CellClosure::sqrt_temperature>(scene, q, strain);
+    const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
     const Number N = p_f - 2.0 * mu_f * strain.S(axis);
     Number mean_slip_squared(0.0);
-    int row = 0;
     for (int t = 0; t < L::dim; ++t) {
       if (t == axis) continue;
       for (int side = 0; side < 2; ++side) {
-        const Number speed_squared = slip_speed_squared<Number>(q, wall, t, side);
+        const Number speed_squared = slip_speed_squared<Number>(q, wall, axis, t, side);
         const Number c = through(
             [&](const auto& nu_, const auto& sqrt_T_, const auto& N_, const auto& slip_squared) {
               return wall_traction_coefficient(nu_, sqrt_T_, N_, slip_squared, kinetic, wall.wall);
             },
             q(L::nu), sqrt_T, N, speed_squared);
-        add_stress(scene, I, t, side, row++, Number(c * slip(q, wall, t, side)), r);
-        const auto component = slip(q, wall, t, side);
+        const Number component = slip(q, wall, t, side);
+        add_stress(scene, I, axis, t, side, Number(c * component), r);
         mean_slip_squared += 0.5 * (component * component);
       }
     }
     if constexpr (L::has_T)
-      r[T_row] -= wall_heat_flux(q(L::nu), Number(T), Number(sqrt_T), mean_slip_squared, kinetic, wall.wall) /
-                  scene.axis(axis).width(I[axis]);
+      r[T_row] -=
+          wall_heat_flux(q(L::nu), T, sqrt_T, mean_slip_squared, kinetic, wall.wall) / scene.axis(axis).width(I[axis]);
   }
 
-  template <class Number, class Strain, std::size_t count>
-  static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, const Strain& strain,
+  template <class Number, std::size_t count>
+  static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, const Number& mu,
                       const Condition& wall, std::array<Number, count>& r) {
-    const Number mu = cell_closures<L, CellClosure::viscosity>(scene, q, strain)[0];
     const Number c = mu / (0.5 * scene.axis(axis).width(I[axis]));
-    int row = 0;
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side)
-        add_stress(scene, I, t, side, row++, Number(c * slip(q, wall, t, side)), r);
+        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "scree/equations/model.hpp"
+#include "scree/solver/gas_projection.hpp"
 
 namespace scree {
 
@@ -17,6 +18,13 @@ struct ProblemSetup {
   ModelParameters model;
   SolidsParameters solids;
   Scales scales;
+};
+
+enum class Phase { solids, gas };
+
+/// Rate of change of the volume of each phase in the box plus its outflow through the sides [m^dim/s].
+struct VolumeImbalance {
+  double solids = 0, gas = 0;
 };
 
 /// Owns the DMDA, the model on this rank and the Jacobian matrix.
@@ -40,23 +48,30 @@ class DiscreteProblem {
   const Barriers& barriers() const { return *barriers_; }
   const Model& model() const { return *model_; }
   DM dm() const { return dm_; }
+  double last_shift() const { return last_shift_; }  ///< of the last Jacobian [1/s]
   Mat matrix() const { return matrix_; }
 
   /// F(t, U, dU/dt) into a global vector.
   PetscErrorCode residual(Vec state, Vec rate, Vec residual) const;
 
-  /// Renews nu from continuity: `residual` belongs to `state` and to the last evaluation by TS. *imbalance [m^dim/s]:
-  /// rate of change of the solids volume after that, plus its outflow through the sides; zero but for rounding.
-  PetscErrorCode correct_continuity(Vec state, Vec residual, double* imbalance) const;
+  /// Renews nu from continuity, and u so that the gas makes room: `residual` belongs to `state` and to the last
+  /// evaluation by TS. The imbalances are zero but for rounding; where u is no unknown (gas darcy) that of the gas is
+  /// what Newton's method leaves. u goes with nu as it was before, as in the fluxes of the step.
+  PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
+  /// Makes div(nu v + (1-nu) u) vanish by changing u, where u is an unknown.
+  PetscErrorCode project_gas(Vec state) const;
   /// Solids volume in the box [m^dim].
   PetscErrorCode solids_volume(Vec state, double* volume) const;
-  /// Outflow of solids through all sides of the box [m^dim/s].
-  PetscErrorCode outflow(Vec state, double* flux) const;
-  /// Flux of solids along +axis through the faces nearest to `position` whose centres lie in `patch` [m^dim/s].
-  PetscErrorCode plane_flux(Vec state, int axis, double position, const Patch& patch, double* flux) const;
+  /// Outflow of solids or gas through all sides of the box [m^dim/s].
+  PetscErrorCode outflow(Vec state, Phase phase, double* flux) const;
+  /// Flux of solids or gas along +axis through the faces nearest to `position` whose centres lie in `patch` [m^dim/s].
+  PetscErrorCode plane_flux(Vec state, Phase phase, int axis, double position, const Patch& patch, double* flux) const;
 
  private:
   double face_area(int axis, const Index& I) const;
+  double flux(Phase phase, const double* state, int axis, const Index& I) const {
+    return phase == Phase::solids ? model_->solids_flux(state, axis, I) : model_->gas_flux(state, axis, I);
+  }
   static PetscErrorCode ifunction(TS, PetscReal, Vec state, Vec rate, Vec residual, void* problem);
   static PetscErrorCode ijacobian(TS, PetscReal, Vec state, Vec rate, PetscReal shift, Mat A, Mat P, void* problem);
   PetscErrorCode create_matrix();
@@ -68,6 +83,7 @@ class DiscreteProblem {
   std::unique_ptr<Lattice> lattice_;
   std::unique_ptr<Barriers> barriers_;
   std::unique_ptr<Model> model_;
+  std::unique_ptr<GasProjection> gas_projection_;  ///< where u is an unknown
   EntryPlaces places_;
   mutable Vec last_rate_ = nullptr;  ///< dU/dt of the last residual that TS asked for; not owned
   double last_shift_ = 0;            ///< of the last Jacobian

@@ -13,10 +13,10 @@ namespace scree {
 using PetscOptionList = std::vector<std::pair<std::string, std::string>>;
 
 /// Options of preset "direct", "ilu", "multigrid" or "fieldsplit" for a node of `unknowns` unknowns, nu being the
-/// first.
-PetscOptionList preset_options(const std::string& preset, int unknowns);
+/// first and p_g, with gas, at place `gas_pressure`.
+PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_pressure = -1);
 
 /// Puts those options that are not set yet into the options database.
-PetscErrorCode apply_preset(const std::string& preset, int unknowns);
+PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure = -1);
 
 }  // namespace scree

@@ -13,7 +13,8 @@ namespace scree {
 struct StepControl {
   std::string scheme = "beuler";                                  ///< beuler, bdf (order 2) or arkimex
   double step_initial = 1e-6, step_min = 1e-12, step_max = 1e-2;  ///< [s]
-  double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales
+  double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales; it counts nu,
+                            ///< v, T and chi, or u in scenes where it alone can change: p_g has no error of its own
   bool adaptive = true;     ///< false: every step is step_initial
   bool extrapolate = true;  ///< first guess of Newton's method after several easy steps
 };
@@ -28,7 +29,7 @@ struct StepReport {
   long limited = 0;            ///< unknowns held back by NewtonLimits on this rank
   bool failed = false;         ///< no step of at least step_min worked; the state is that before the step
   double error = 0;            ///< local error over accuracy; 0 where there is no estimate yet
-  double imbalance = 0;        ///< of solids volume over the step, see TimeStepper [m^dim]
+  VolumeImbalance imbalance;   ///< over the step, see TimeStepper [m^dim]
 };
 
 /// Everything that a step depends on beside the state, for checkpoints.
@@ -42,7 +43,8 @@ struct StepHistory {
 ///
 /// Once Newton has converged, nu of each cell is renewed from its own continuity equation with the fluxes of the last
 /// iterate: an explicit correction of the size of the tolerance that makes the balance of mass exact to rounding for
-/// whatever tolerance. `imbalance` measures it: change of volume by the scheme plus outflow, summed over the box.
+/// whatever tolerance; u is projected accordingly. `imbalance` measures it: change of volume by the scheme plus
+/// outflow, summed over the box.
 class TimeStepper {
  public:
   TimeStepper(DiscreteProblem& problem, StepControl control);
@@ -74,7 +76,9 @@ class TimeStepper {
   static PetscErrorCode first_guess(SNES, Vec guess, void* stepper);
   PetscErrorCode make_ts();
   PetscErrorCode correct_continuity(SNES snes);
+  PetscErrorCode continuity_correction(SNES snes, double* correction) const;
   PetscErrorCode local_error(double dt, double* error);
+  PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
   PetscErrorCode age_preconditioner(double dt);
   void choose_next_step(double dt, const StepReport& report);
@@ -87,9 +91,10 @@ class TimeStepper {
   std::array<Vec, 2> past_{nullptr, nullptr};
   double time_ = 0;
   StepHistory history_;
-  bool finds_slope_ = false;  ///< TSARKIMEX begins with a step of the same length to find its first slope
-  double attempt_imbalance_ = 0;
+  bool finds_slope_ = false;           ///< TSARKIMEX begins with a step of the same length to find its first slope
+  VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
+  bool reuses_preconditioner_ = true;
   /// The preconditioner in use: a step of which size it was made for (0: none yet) and the Krylov iterations a Newton
   /// iteration took with it, in the step it was made in and in the last one.
   struct {

@@ -157,14 +157,24 @@ TEST(Barriers, PlateAcrossAPeriodicAxisIsSeenFromBothEnds) {
   }
 }
 
-TEST(Barriers, WallsAreTheKindsThatLetNothingThrough) {
-  for (const auto& [kind, expected] :
-       {std::pair(BoundaryKind::wall_johnson_jackson, true), std::pair(BoundaryKind::wall_free_slip, true),
-        std::pair(BoundaryKind::wall_no_slip, true), std::pair(BoundaryKind::symmetry, true),
-        std::pair(BoundaryKind::open, false), std::pair(BoundaryKind::inlet, false)}) {
-    EXPECT_EQ(is_wall(kind), expected) << "kind " << static_cast<int>(kind);
+TEST(Barriers, WallsAreTheKindsThatLetNoParticlesThrough) {
+  struct {
+    BoundaryKind kind;
+    bool wall, stops_gas, brings_gas;
+  } const expected[] = {{BoundaryKind::wall_johnson_jackson, true, true, false},
+                        {BoundaryKind::wall_free_slip, true, true, false},
+                        {BoundaryKind::wall_no_slip, true, true, false},
+                        {BoundaryKind::symmetry, true, true, false},
+                        {BoundaryKind::open, false, false, false},
+                        {BoundaryKind::inlet, false, false, true},
+                        {BoundaryKind::gas_inlet, true, false, true}};
+  for (const auto& [kind, wall, stops, brings] : expected) {
+    SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)));
+    EXPECT_EQ(is_wall(kind), wall);
+    EXPECT_EQ(stops_gas(kind), stops);
+    EXPECT_EQ(brings_gas(kind), brings);
     const Scene scene(unit_box(1, {4, 0, 0}), {side(0, false, condition(kind))}, {});
-    EXPECT_EQ(scene.barriers->wall(0, {{0, 0, 0}}), expected) << "kind " << static_cast<int>(kind);
+    EXPECT_EQ(scene.barriers->wall(0, {{0, 0, 0}}), wall);
     EXPECT_FALSE(scene.barriers->wall(0, {{1, 0, 0}}));
   }
 }

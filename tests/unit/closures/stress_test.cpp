@@ -72,7 +72,7 @@ TEST(CellClosure, ReferenceValues) {
   };
   for (const CellRow& row : rows) {
     const SolidsParameters p = with_models(row.model);
-    const auto result = cell_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, p);
+    const auto result = cell_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, 0.0, p);
     std::ostringstream state;
     state << "model " << static_cast<int>(row.model) << " nu " << row.nu << " div v " << row.div_v;
     const auto expect = [&](CellClosure::Entry entry, double expected) {
@@ -87,14 +87,14 @@ TEST(CellClosure, ReferenceValues) {
     expect(CellClosure::frictional_viscosity, row.mu_f);
     EXPECT_EQ(result[CellClosure::temperature], row.T);
     EXPECT_NEAR(result[CellClosure::sqrt_temperature], std::sqrt(row.T), 1e-8 * std::sqrt(row.T));
-    EXPECT_NEAR(edge_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, p), row.viscosity, 1e-8 * row.viscosity);
+    EXPECT_NEAR(edge_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, 0.0, p), row.viscosity, 1e-8 * row.viscosity);
   }
 }
 
 TEST(CellClosure, WithoutStrainRateFluctuation) {  // (15)-(17), mpmath
   SolidsParameters p = with_models(FrictionModel::instantaneous);
   p.friction.strain_rate_fluctuation = false;
-  const auto result = cell_closure(.58, 1e-4, 1.0, 1.0, 25.0, p);
+  const auto result = cell_closure(.58, 1e-4, 1.0, 1.0, 25.0, 0.0, p);
   EXPECT_NEAR(result[CellClosure::chi_star], .86476385862, 1e-8);
   EXPECT_NEAR(result[CellClosure::frictional_pressure], 164.64832198, 1e-6);
   EXPECT_NEAR(result[CellClosure::frictional_viscosity], 12.589163734, 1e-7);
@@ -104,7 +104,8 @@ TEST(CellClosure, ConstantTemperatureIgnoresTheArgument) {
   SolidsParameters p = with_models(FrictionModel::relaxed, TemperatureModel::constant);
   p.temperature_value = 1e-4;
   const SolidsParameters transported = with_models(FrictionModel::relaxed);
-  const auto a = cell_closure(.58, 77.0, .97, 1.0, 25.0, p), b = cell_closure(.58, 1e-4, .97, 1.0, 25.0, transported);
+  const auto a = cell_closure(.58, 77.0, .97, 1.0, 25.0, 0.0, p),
+             b = cell_closure(.58, 1e-4, .97, 1.0, 25.0, 0.0, transported);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_DOUBLE_EQ(a[i], b[i]);
 }
 
@@ -113,7 +114,7 @@ TEST(CellClosure, AlgebraicTemperatureBalancesTheEnergy) {
   for (double nu : {.1, .3, .58, .64})
     for (double div_v : {-100.0, -1.0, 0.0, 1.0, 100.0})
       for (double S_S : {1.0, 400.0}) {
-        const auto result = cell_closure(nu, 0.0, 1.0, div_v, S_S, p);
+        const auto result = cell_closure(nu, 0.0, 1.0, div_v, S_S, 0.0, p);
         const double loss =
             dissipation(nu, result[CellClosure::temperature], result[CellClosure::sqrt_temperature], p.kinetic);
         EXPECT_NEAR(result[CellClosure::energy_source], 0,
@@ -126,7 +127,7 @@ TEST(CellClosure, AlgebraicTemperatureBalancesTheEnergy) {
 TEST(CellClosure, SteadySimpleShear) {
   const SolidsParameters p = with_models(FrictionModel::critical_state, TemperatureModel::algebraic);
   const double rate = 20, nu = .6, d = p.kinetic.d;
-  const auto result = cell_closure(nu, 0.0, 1.0, 0.0, rate * rate / 2, p);
+  const auto result = cell_closure(nu, 0.0, 1.0, 0.0, rate * rate / 2, 0.0, p);
   const double T = 1.09362578378 * d * d * rate * rate;
   EXPECT_NEAR(result[CellClosure::temperature], T, 1e-8 * T);
   const double kinetic = 17.4033844433 * p.kinetic.rho_s * d * std::sqrt(T) * rate;
@@ -151,12 +152,12 @@ struct AllStress {
   SolidsParameters p;
   template <class Number>
   std::array<Number, CellClosure::count + 1> operator()(const std::array<Number, 5>& x) const {
-    const auto cell = cell_closure(x[0], x[1], x[2], x[3], x[4], p);
+    const auto cell = cell_closure(x[0], x[1], x[2], x[3], x[4], Number(0.0), p);
     std::array<Number, CellClosure::count + 1> result;
     std::copy(cell.begin(), cell.end(), result.begin());
     // Zero up to round-off, which differences would only amplify.
     if (p.temperature == TemperatureModel::algebraic) result[CellClosure::energy_source] = 0.0;
-    result[CellClosure::count] = edge_closure(x[0], x[1], x[2], x[3], x[4], p);
+    result[CellClosure::count] = edge_closure(x[0], x[1], x[2], x[3], x[4], Number(0.0), p);
     return result;
   }
 };
@@ -200,7 +201,7 @@ TEST(CellClosure, FiniteAtTheEdges) {  // H15
 
 TEST(CellClosure, PackedBeyondTheMaximumIsNotFinite) {
   for (FrictionModel friction : friction_models) {
-    const auto result = cell_closure(.65 + 1e-6, 1e-4, 1.0, 0.0, 25.0, with_models(friction));
+    const auto result = cell_closure(.65 + 1e-6, 1e-4, 1.0, 0.0, 25.0, 0.0, with_models(friction));
     EXPECT_FALSE(std::isfinite(result[CellClosure::pressure])) << "the solver has to see it";
   }
 }
@@ -211,9 +212,10 @@ TEST(CellClosure, ThroughManyUnknowns) {
   using D = Dual<12>;
   const D nu = .5 * (D::variable(.57, 0) + D::variable(.59, 1)), T = D::variable(1e-4, 4);
   const D div_v = D::variable(3, 7) - D::variable(2, 8), S_S = 25.0 + div_v * div_v;
-  const auto result = through([&](const auto&... z) { return cell_closure(z..., p); }, nu, T, 1.0, div_v, S_S);
-  const Dual<5> expected = cell_closure(Dual<5>::variable(.58, 0), Dual<5>::variable(1e-4, 1), Dual<5>(1.0),
-                                        Dual<5>::variable(1, 3), Dual<5>::variable(26, 4), p)[CellClosure::pressure];
+  const auto result = through([&](const auto&... z) { return cell_closure(z..., p); }, nu, T, 1.0, div_v, S_S, 0.0);
+  const Dual<5> expected =
+      cell_closure(Dual<5>::variable(.58, 0), Dual<5>::variable(1e-4, 1), Dual<5>(1.0), Dual<5>::variable(1, 3),
+                   Dual<5>::variable(26, 4), Dual<5>(0.0), p)[CellClosure::pressure];
   const D& pressure = result[CellClosure::pressure];
   EXPECT_DOUBLE_EQ(pressure.value, expected.value);
   EXPECT_DOUBLE_EQ(pressure.derivative[1], .5 * expected.derivative[0]);

@@ -12,12 +12,6 @@ namespace {
 
 using ReadCase = Options;
 
-bool has_remark(const Case& scene, const std::string& start) {
-  for (const std::string& remark : scene.remarks)
-    if (remark.compare(0, start.size(), start) == 0) return true;
-  return false;
-}
-
 TEST_F(ReadCase, SmallBin) {
   small_bin();
   const Case scene = read_case();
@@ -236,9 +230,9 @@ TEST_F(ReadCase, EffectiveYamlReadsBackAsTheSameCase) {
 
 TEST(OptionReport, HelpAndTableNameEveryIdea) {
   for (const std::string& text : {help_text(), option_table_markdown()}) {
-    for (const char* key :
-         {"dimension", "grid_z_ratio", "friction_tau", "boundary_<name>_side", "plate_<name>_openings",
-          "initial_<name>_profile", "probe_<name>_point", "time_scheme", "scale_velocity"})
+    for (const char* key : {"dimension", "grid_z_ratio", "gas_density", "friction_tau", "boundary_<name>_side",
+                            "boundary_<name>_gas_history_at", "plate_<name>_openings", "plate_<name>_gas_wall",
+                            "initial_<name>_profile", "probe_<name>_point", "time_scheme", "scale_velocity"})
       EXPECT_NE(text.find(key), std::string::npos) << key;
   }
   EXPECT_NE(

@@ -26,6 +26,13 @@ class Options : public testing::Test {
 
   static void erase(const std::string& key) { ASSERT_EQ(PetscOptionsClearValue(nullptr, ("-" + key).c_str()), 0); }
 
+  /// Whether a remark on this case begins like that.
+  static bool has_remark(const Case& scene, const std::string& start) {
+    for (const std::string& remark : scene.remarks)
+      if (remark.compare(0, start.size(), start) == 0) return true;
+    return false;
+  }
+
   /// A bin of 8 cm x 10 cm with cells of 1 cm x 2 cm.
   static void small_bin() {
     yaml(R"(

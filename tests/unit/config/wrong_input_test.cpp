@@ -82,7 +82,7 @@ const Row rows[] = {
     {{{"initial_bed_table", "/no/such/file"}}, "initial_bed_table", "/no/such/file", "can be read"},
     {{{"probe_p_point", "1, 1"}}, "probe_p_point", "1, 1", "along axis x is from 0 to 0.08 m"},
     {{{"flux_f_axis", "y"}, {"flux_f_position", "0.011"}}, "flux_f_position", "0.011 m", "grid plane"},
-    {{{"gas", "incompressible"}}, "gas", "incompressible", "none"},
+    {{{"gas", "compressible"}}, "gas", "compressible", "one of none, darcy, incompressible"},
     {{{"define_friction_tau", "1"}, {"friction_tau", "1"}}, "define_friction_tau", "1", "not an option itself"}};
 
 TEST_F(WrongInput, IsOneLineThatNamesKeyValueAndWhatWouldBeRight) {

@@ -1,5 +1,8 @@
-/// States whose residual is known by hand: uniform flow, a column at rest, uniform shear; and which way forces act.
+/// States whose residual is known by hand: uniform flow, a column at rest, gas through a bed, uniform shear; and which
+/// way forces act.
 #include <gtest/gtest.h>
+
+#include <memory>
 
 #include "../../jacobian/scenes.hpp"
 #include "scree/closures/stress.hpp"
@@ -16,20 +19,24 @@ double largest(const Values& residual, const Evaluation& problem, int component)
 
 // ---- uniform flow ----
 
-/// Every row is zero but that of T, which cools by collisions.
+constexpr double free_stream_pressure = 40;  // of gas [Pa]
+
+/// Every row is zero but that of T, which cools by collisions and by the gas between the particles.
 void expect_free_stream(const ProblemSetup& setup, const std::array<double, max_dim>& wind, double nu, double T) {
   Evaluation problem(PETSC_COMM_WORLD, setup);
   const Values state = problem.values([&](const Field& f, const Index& I) {
     if (f.symbol == "nu") return problem.lattice().inside(I) ? nu : 0.0;
     if (f.symbol == "T") return problem.lattice().inside(I) ? T : 0.0;
     if (f.symbol == "chi") return problem.lattice().inside(I) ? 1.0 : 0.0;
+    if (f.symbol == "p_g") return problem.lattice().inside(I) ? free_stream_pressure : 0.0;
     return problem.lattice().is_face(f.face_axis, I) ? wind[f.face_axis] : 0.0;
   });
   const Values residual = problem.residual(state, problem.zeros());
   const KineticParameters& k = setup.solids.kinetic;
   const double V = setup.scales.velocity;
-  const double cooling = dissipation(nu, T, sqrt_temperature(T, setup.solids.temperature_floor), k) *
-                         setup.scales.time / (k.rho_s * V * V);
+  double loss = dissipation(nu, T, sqrt_temperature(T, setup.solids.temperature_floor), k);
+  if (setup.solids.gas.model != GasModel::none) loss += 3 * drag_coefficient(nu, 0.0, k.d, setup.solids.gas) * T;
+  const double cooling = loss * setup.scales.time / (k.rho_s * V * V);
   const double pressure = largest(residual, problem, 0) + 1;  // rows of v: pressures of 1e4 times rho_s g dx cancel
   for_each_node(Index{}, problem.nodes(), [&](const Index& I) {
     for (const Field& f : problem.fields()) {
@@ -82,6 +89,50 @@ TEST(UniformFlow, SlidesAlongMovingWalls) {
   }
 }
 
+/// The gas goes with the particles: no slip, no drag. An inlet blows straight in, so that the wind is along one axis.
+TEST(UniformFlow, OfBothPhasesStaysAsItIs) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+      for (const auto advection : {AdvectionScheme::upwind, AdvectionScheme::van_albada})
+        for (const double speed : {0.05, -0.05}) {
+          const Combination c{dim, FrictionModel::relaxed, TemperatureModel::transport, advection, gas};
+          ProblemSetup setup = sample_setup(c);
+          setup.model.void_fraction_floor = 0;
+          setup.model.gas_viscous_stress = true;
+          for (int axis = 0; axis < dim; ++axis) {
+            std::array<double, max_dim> wind{0, 0, 0};
+            wind[axis] = speed;
+            Condition inlet = condition(BoundaryKind::inlet, wind), opening = condition(BoundaryKind::open);
+            inlet.solids_fraction = 0.56;
+            inlet.granular_temperature = 1e-4;
+            inlet.gas_velocity = 0.05 * (1 - 0.56);
+            opening.gas_pressure = free_stream_pressure;
+            setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
+            for (Segment& segment : setup.segments)
+              if (segment.axis == axis) segment.condition = segment.upper == (speed > 0) ? opening : inlet;
+            SCOPED_TRACE(name_of(c) + ", along " + (speed > 0 ? '+' : '-') + "xyz"[axis]);
+            expect_free_stream(setup, wind, 0.56, 1e-4);
+          }
+          setup.box.periodic = {true, true, true};
+          setup.segments.clear();
+          SCOPED_TRACE(name_of(c) + ", periodic");
+          expect_free_stream(setup, {speed, -0.6 * speed, 0.4 * speed}, 0.56, 1e-4);
+        }
+}
+
+TEST(UniformFlow, OfGasSlidesAlongMovingWalls) {
+  for (const auto gas : {GasModel::darcy, GasModel::incompressible}) {
+    ProblemSetup setup =
+        sample_setup({2, FrictionModel::critical_state, TemperatureModel::constant, AdvectionScheme::van_albada, gas});
+    setup.model.void_fraction_floor = 0;
+    setup.model.gas_viscous_stress = true;
+    setup.box.periodic = {true, false, false};
+    setup.segments = all_sides(setup.box, sticky(condition(BoundaryKind::wall_no_slip, {0.05, 0, 0})));
+    SCOPED_TRACE("gas model " + std::to_string(static_cast<int>(gas)));
+    expect_free_stream(setup, {0.05, 0, 0}, 0.58, 1e-4);
+  }
+}
+
 // ---- column at rest ----
 
 /// sigma of particles at rest at the given T [Pa].
@@ -89,54 +140,180 @@ double pressure_at_rest(double nu, double T, const SolidsParameters& p) {
   return solids_stress(SolidsPoint<double>{nu, T, 1.0, 0.0, 0.0}, p)[0];
 }
 
+void expect_column_at_rest(int axis, FrictionModel friction, GasModel gas) {
+  const int dim = std::max(2, axis + 1);
+  std::array<int, max_dim> cells{3, 3, 3};
+  cells[axis] = 12;
+  ProblemSetup setup =
+      sample_setup(graded_box(dim, cells, 1e-3), friction, TemperatureModel::constant, AdvectionScheme::upwind, gas);
+  const double g = 9.81, T = setup.solids.temperature_value;
+  const double density = setup.solids.kinetic.rho_s - (gas == GasModel::none ? 0 : setup.solids.gas.rho_g);
+  setup.model.gravity[axis] = -g;
+  Evaluation problem(PETSC_COMM_WORLD, setup);
+  const Axis& z = problem.lattice().axes[axis];
+  std::vector<double> nu(12, 0.53);  // the top cell; below, the pressure of each balances the weight above
+  for (int i = 10; i >= 0; --i) {
+    const double above = nu[static_cast<std::size_t>(i + 1)], share = z.lower_share(i + 1);
+    double low = above, high = 0.6499;
+    for (int step = 0; step < 200; ++step) {
+      const double middle = 0.5 * (low + high);
+      const double weight = density * g * (share * middle + (1 - share) * above) * z.distance(i + 1);
+      const bool heavy = pressure_at_rest(above, T, setup.solids) + weight > pressure_at_rest(middle, T, setup.solids);
+      (heavy ? low : high) = middle;
+    }
+    nu[static_cast<std::size_t>(i)] = low;
+  }
+  EXPECT_GT(nu[0], nu[11] + 0.01) << "denser below";
+  const Values state = problem.values([&](const Field& f, const Index& I) {
+    if (!problem.lattice().inside(I)) return 0.0;
+    return f.symbol == "nu" ? nu[static_cast<std::size_t>(I[axis])] : f.symbol == "chi" ? 1.0 : 0.0;
+  });
+  const Values residual = problem.residual(state, problem.zeros());
+  for (const Field& f : problem.fields())
+    EXPECT_LT(largest(residual, problem, f.component), 1e-9)
+        << column_name(f) << ", in units of rho_s g; rounding of nu in a stiff p_c";
+}
+
+/// In gas less what that weighs: p_g is over the pressure of gas at rest.
 TEST(ColumnAtRest, CarriesItsWeightExactly) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const auto friction : {FrictionModel::critical_state, FrictionModel::relaxed, FrictionModel::instantaneous}) {
-      const int dim = std::max(2, axis + 1);
-      std::array<int, max_dim> cells{3, 3, 3};
-      cells[axis] = 12;
-      ProblemSetup setup = sample_setup(graded_box(dim, cells, 1e-3), friction, TemperatureModel::constant);
-      const double g = 9.81, T = setup.solids.temperature_value, rho_s = setup.solids.kinetic.rho_s;
-      setup.model.gravity[axis] = -g;
-      Evaluation problem(PETSC_COMM_WORLD, setup);
-      const Axis& z = problem.lattice().axes[axis];
-      std::vector<double> nu(12, 0.53);  // the top cell; below, the pressure of each balances the weight above
-      for (int i = 10; i >= 0; --i) {
-        const double above = nu[static_cast<std::size_t>(i + 1)], share = z.lower_share(i + 1);
-        double low = above, high = 0.6499;
-        for (int step = 0; step < 200; ++step) {
-          const double middle = 0.5 * (low + high);
-          const double weight = rho_s * g * (share * middle + (1 - share) * above) * z.distance(i + 1);
-          const bool heavy =
-              pressure_at_rest(above, T, setup.solids) + weight > pressure_at_rest(middle, T, setup.solids);
-          (heavy ? low : high) = middle;
-        }
-        nu[static_cast<std::size_t>(i)] = low;
+    for (const auto friction : {FrictionModel::critical_state, FrictionModel::relaxed, FrictionModel::instantaneous})
+      for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible}) {
+        SCOPED_TRACE("gravity along " + std::string(1, "xyz"[axis]) + ", friction model " +
+                     std::to_string(static_cast<int>(friction)) + ", gas model " +
+                     std::to_string(static_cast<int>(gas)));
+        expect_column_at_rest(axis, friction, gas);
       }
-      EXPECT_GT(nu[0], nu[11] + 0.01) << "denser below";
-      const Values state = problem.values([&](const Field& f, const Index& I) {
-        if (!problem.lattice().inside(I)) return 0.0;
-        return f.symbol == "nu" ? nu[static_cast<std::size_t>(I[axis])] : f.symbol == "chi" ? 1.0 : 0.0;
-      });
-      const Values residual = problem.residual(state, problem.zeros());
-      SCOPED_TRACE("gravity along " + std::string(1, "xyz"[axis]) + ", friction model " +
-                   std::to_string(static_cast<int>(friction)));
-      for (const Field& f : problem.fields())
-        EXPECT_LT(largest(residual, problem, f.component), 1e-9)
-            << column_name(f) << ", in units of rho_s g; rounding of nu in a stiff p_c";
-    }
 }
 
 TEST(ColumnAtRest, UniformColumnIsPulledDown) {
-  ProblemSetup setup =
-      sample_setup(uniform_box(2, {4, 6, 0}), FrictionModel::critical_state, TemperatureModel::constant);
-  setup.model.gravity = {0, -9.81, 0};
-  Evaluation problem(PETSC_COMM_WORLD, setup);
-  const Values state = problem.values([](const Field& f, const Index&) { return f.symbol == "nu" ? 0.57 : 0.0; });
-  const Values residual = problem.residual(state, problem.zeros());
-  const double scale = setup.scales.time / setup.scales.velocity;
-  EXPECT_NEAR(residual[problem.at(2, {{1, 3, 0}})], 0.57 * 9.81 * scale, 1e-9) << "F = nu (dv/dt - g), g downwards";
-  EXPECT_NEAR(residual[problem.at(1, {{2, 3, 0}})], 0, 1e-9);
+  for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible}) {
+    ProblemSetup setup = sample_setup(uniform_box(2, {4, 6, 0}), FrictionModel::critical_state,
+                                      TemperatureModel::constant, AdvectionScheme::upwind, gas);
+    setup.model.gravity = {0, -9.81, 0};
+    Evaluation problem(PETSC_COMM_WORLD, setup);
+    const Values state = problem.values([](const Field& f, const Index&) { return f.symbol == "nu" ? 0.57 : 0.0; });
+    const Values residual = problem.residual(state, problem.zeros());
+    const double buoyancy = gas == GasModel::none ? 0 : setup.solids.gas.rho_g / setup.solids.kinetic.rho_s;
+    const double weight = 0.57 * (1 - buoyancy) * 9.81 * setup.scales.time / setup.scales.velocity;
+    SCOPED_TRACE("gas model " + std::to_string(static_cast<int>(gas)));
+    EXPECT_NEAR(residual[problem.at(2, {{1, 3, 0}})], weight, 1e-9) << "F = nu (dv/dt - g), g downwards";
+    EXPECT_NEAR(residual[problem.at(1, {{2, 3, 0}})], 0, 1e-9);
+    for (const Field& f : problem.fields())
+      if (f.symbol == "u" || f.symbol == "p_g") {
+        EXPECT_EQ(largest(residual, problem, f.component), 0) << "still gas: " << column_name(f);
+      }
+  }
+}
+
+/// Without gravity nothing happens to uniform phases at rest, dense, dilute or absent.
+TEST(UniformRest, InGasIsSteady) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+      for (const double nu : {0.0, 0.01, 0.57}) {
+        ProblemSetup setup = sample_setup(
+            {dim, FrictionModel::critical_state, TemperatureModel::algebraic, AdvectionScheme::van_albada, gas});
+        setup.model.gas_viscous_stress = true;
+        Evaluation problem(PETSC_COMM_WORLD, setup);
+        const Values residual = problem.residual(problem.values([&](const Field& f, const Index& I) {
+          if (!problem.lattice().inside(I)) return 0.0;
+          return f.symbol == "nu" ? nu : f.symbol == "p_g" ? -20.0 : 0.0;
+        }),
+                                                 problem.zeros());
+        for (const Field& f : problem.fields())
+          EXPECT_LT(largest(residual, problem, f.component), 1e-10)
+              << dim << "d, gas model " << static_cast<int>(gas) << ", nu " << nu << ": " << column_name(f);
+      }
+}
+
+// ---- gas through a bed ----
+
+/// A uniform bed through which gas flows along an axis at superficial velocity U, and the residual of that state.
+struct Percolation {
+  Percolation(ProblemSetup bed, int axis, double nu, double U, double gradient) : setup(std::move(bed)) {
+    setup.model.void_fraction_floor = setup.model.darcy_solids_fraction = 0;
+    setup.model.gas_viscous_stress = true;
+    Condition inlet = condition(BoundaryKind::gas_inlet), opening = condition(BoundaryKind::open);
+    inlet.gas_velocity = std::abs(U);
+    opening.gas_pressure = 0.01 * std::abs(gradient);
+    setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
+    for (Segment& segment : setup.segments)
+      if (segment.axis == axis) segment.condition = segment.upper == (U > 0) ? opening : inlet;
+    problem = std::make_unique<Evaluation>(PETSC_COMM_WORLD, setup);
+    const Axis& z = problem->lattice().axes[axis];
+    const double end = z.face(U > 0 ? z.cells() : 0);
+    state = problem->values([&](const Field& f, const Index& I) {
+      const bool inside = problem->lattice().inside(I);
+      if (f.symbol == "u" && f.face_axis == axis) return problem->lattice().is_face(axis, I) ? U / (1 - nu) : 0.0;
+      if (f.symbol == "p_g") return inside ? opening.gas_pressure + gradient * (z.centre(I[axis]) - end) : 0.0;
+      return f.symbol == "nu" && inside ? nu : 0.0;
+    });
+    residual = problem->residual(state, problem->zeros());
+    for (int i = problem->component("p_g"); i < problem->size(); i += problem->unknowns())
+      residual[i] -= pressure_hold * state[i];
+  }
+  double beta(double nu, double slip) const {
+    return drag_coefficient(nu, slip * slip, setup.solids.kinetic.d, setup.solids.gas);
+  }
+  ProblemSetup setup;
+  std::unique_ptr<Evaluation> problem;
+  Values state, residual;
+};
+
+/// (1-nu) grad p = -beta u at Re of 1e-2, 30 and 2000: towards the open side, and up to it.
+TEST(Percolation, FixedBedHasThePressureGradientOfDrag) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (int axis = 0; axis < dim; ++axis)
+      for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+        for (const double nu : {0.1, 0.6})
+          for (const double U : {1.5e-4, 0.4, -0.4, 30.0}) {
+            ProblemSetup setup = sample_setup(
+                {dim, FrictionModel::critical_state, TemperatureModel::constant, AdvectionScheme::van_albada, gas});
+            setup.model.solids_moving = false;
+            setup.model.gravity = {1, -9.81, 2};
+            const double u = U / (1 - nu);
+            const double gradient =
+                -drag_coefficient(nu, u * u, setup.solids.kinetic.d, setup.solids.gas) * u / (1 - nu);
+            const Percolation bed(setup, axis, nu, U, gradient);
+            SCOPED_TRACE(std::to_string(dim) + "d along " + "xyz"[axis] + ", gas model " +
+                         std::to_string(static_cast<int>(gas)) + ", nu " + std::to_string(nu) + ", U " +
+                         std::to_string(U));
+            const double t = setup.scales.time, width = 2e-3;
+            for (const Field& f : bed.problem->fields()) {
+              const double size = f.symbol == "u"
+                                      ? std::abs(gradient) * t / (setup.scales.density * setup.scales.velocity)
+                                  : f.symbol == "p_g" ? std::abs(U) / width * t
+                                                      : 1;
+              EXPECT_LT(largest(bed.residual, *bed.problem, f.component), 2e-11 * size) << column_name(f);
+            }
+            const double outflow = bed.problem->outflow(bed.state, Phase::gas);
+            EXPECT_NEAR(outflow, 0, 1e-11 * std::abs(U)) << "what comes in goes out";
+          }
+}
+
+/// Where the pressure gradient carries the weight of the bed in gas the particles float, without contact.
+TEST(Percolation, BedFloatsWhereGasCarriesItsWeight) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (const auto gas : {GasModel::darcy, GasModel::incompressible}) {
+      const int axis = dim - 1;
+      const double nu = 0.5, g = 9.81;
+      ProblemSetup setup =
+          sample_setup({dim, FrictionModel::none, TemperatureModel::constant, AdvectionScheme::upwind, gas});
+      setup.model.gravity[axis] = -g;
+      const KineticParameters& k = setup.solids.kinetic;
+      const double weight = nu * (k.rho_s - setup.solids.gas.rho_g) * g;
+      const double slip2 = darcy_slip_squared(nu, weight * weight, 0.0, k.d, setup.solids.gas);
+      const double U = (1 - nu) * std::sqrt(slip2);
+      const Percolation bed(setup, axis, nu, U, -weight);
+      ASSERT_NEAR(bed.beta(nu, std::sqrt(slip2)) * std::sqrt(slip2) / (1 - nu), weight, 1e-10 * weight);
+      for (const Field& f : bed.problem->fields()) {
+        const double density = f.symbol == "u" ? setup.scales.density : k.rho_s;
+        const double size = f.symbol == "p_g" ? U / 2e-3 * setup.scales.time
+                                              : weight * setup.scales.time / (density * setup.scales.velocity);
+        EXPECT_LT(largest(bed.residual, *bed.problem, f.component), 2e-10 * size)
+            << dim << "d, gas model " << static_cast<int>(gas) << ": " << column_name(f);
+      }
+    }
 }
 
 // ---- uniform shear ----

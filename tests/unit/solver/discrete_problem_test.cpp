@@ -21,12 +21,12 @@ TEST(DiscreteProblem, MeasuresVolumeAndFluxes) {
               state);
   double volume, outflow, all, some, expected_volume = 0, flux = 0, part = 0;
   check(problem.problem().solids_volume(state, &volume));
-  check(problem.problem().outflow(state, &outflow));
+  check(problem.problem().outflow(state, Phase::solids, &outflow));
   Patch patch;
   patch.lower[0] = box.faces[0][1];
   patch.upper[0] = box.faces[0][3];
-  check(problem.problem().plane_flux(state, 1, box.faces[1][2], Patch(), &all));
-  check(problem.problem().plane_flux(state, 1, box.faces[1][2] + 1e-5, patch, &some));
+  check(problem.problem().plane_flux(state, Phase::solids, 1, box.faces[1][2], Patch(), &all));
+  check(problem.problem().plane_flux(state, Phase::solids, 1, box.faces[1][2] + 1e-5, patch, &some));
   for (int i = 0; i < 6; ++i) {
     const double nu = 0.4 + 0.02 * i, q = -0.1 * (1 + i) * nu * width(i);
     expected_volume += nu * width(i) * box.upper(1);
@@ -58,7 +58,8 @@ TEST(DiscreteProblem, CorrectionOfContinuityBalancesVolumeAndOutflow) {
   check(VecDuplicate(x, &f));
   problem.put(state, x);
   problem.put(residual, f);
-  double before, after, imbalance, change = 0;
+  double before, after, change = 0;
+  VolumeImbalance imbalance;
   check(problem.problem().solids_volume(x, &before));
   check(problem.problem().correct_continuity(x, f, &imbalance));
   check(problem.problem().solids_volume(x, &after));
@@ -67,7 +68,7 @@ TEST(DiscreteProblem, CorrectionOfContinuityBalancesVolumeAndOutflow) {
   });
   change += shift * (after - before);  // nu enters its rate times the shift
   EXPECT_NEAR(change, expected, 1e-12 * std::abs(expected)) << "rate of change of the volume against -outflow";
-  EXPECT_NEAR(imbalance, 0, 1e-12 * std::abs(expected));
+  EXPECT_NEAR(imbalance.solids, 0, 1e-12 * std::abs(expected));
   check(VecDestroy(&x));
   check(VecDestroy(&f));
 }

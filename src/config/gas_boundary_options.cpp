@@ -1,0 +1,88 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+namespace {
+
+/// Whether an option has a use, and if not, why.
+struct Use {
+  bool used;
+  std::string otherwise;
+};
+
+Use use_of_inflow(const Case& scene, const Condition& condition) {
+  if (scene.gas.model == GasModel::none) return {false, "gas is none"};
+  const bool brings = condition.kind == BoundaryKind::inlet || condition.kind == BoundaryKind::gas_inlet;
+  return {brings, "its kind is neither inlet nor gas_inlet"};
+}
+
+Use use_of_pressure(const Case& scene, const Condition& condition) {
+  if (scene.gas.model == GasModel::none) return {false, "gas is none"};
+  return {condition.kind == BoundaryKind::open, "its kind is not open"};
+}
+
+Use use_of_wall(const Case& scene, const Condition& condition) {
+  if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
+  if (!scene.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
+  const bool wall = condition.kind == BoundaryKind::wall_johnson_jackson ||
+                    condition.kind == BoundaryKind::wall_free_slip || condition.kind == BoundaryKind::wall_no_slip;
+  return {wall, "its kind is not a wall"};
+}
+
+void declare_profile(OptionSet& o, const std::string& key, int dim, const Use& use, Segment& segment) {
+  Condition& condition = segment.condition;
+  const OptionEntry& at = o.reals(key + "gas_profile_at", condition.gas_profile.at, {0, false, "ascending"}, "m",
+                                  any_number(), "coordinates along the side at which gas_profile_factor holds")
+                              .unset_by_default("none: uniform")
+                              .used_if(use.used, use.otherwise);
+  if (at.given && dim == 1) throw InputError(at.key, at.value, "no coordinates: a side is a point in one dimension");
+  o.reals(key + "gas_profile_factor", condition.gas_profile.factor, {0, false, "one per gas_profile_at"}, "-",
+          any_number(), "factors on gas_velocity there, linear in between and constant beyond")
+      .unset_by_default("none: 1")
+      .used_if(use.used, use.otherwise);
+  condition.gas_profile_axis = segment.axis == 0 && dim > 1 ? 1 : 0;
+  o.choice(key + "gas_profile_axis", condition.gas_profile_axis, axis_choices(o, dim),
+           "axis of the coordinates gas_profile_at, along the side")
+      .default_from("the first axis along the side")
+      .used_if(o.describing() || !condition.gas_profile.at.empty(), "there is no gas_profile_at")
+      .used_if(use.used, use.otherwise);
+}
+
+void declare_history(OptionSet& o, const std::string& key, const Use& use, Ramp& history) {
+  o.reals(key + "gas_history_at", history.at, {0, false, "ascending"}, "s", any_number(),
+          "times at which gas_history_factor holds")
+      .unset_by_default("none: steady")
+      .used_if(use.used, use.otherwise);
+  o.reals(key + "gas_history_factor", history.factor, {0, false, "one per gas_history_at"}, "-", any_number(),
+          "factors on gas_velocity then, linear in between and constant beyond")
+      .unset_by_default("none: 1")
+      .used_if(use.used, use.otherwise);
+}
+
+}  // namespace
+
+void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, Condition& condition) {
+  const Use use = use_of_wall(scene, condition);
+  o.choice(key + "gas_wall", condition.gas_no_slip, {{"free_slip", false}, {"no_slip", true}},
+           "whether the gas slips along the wall or sticks to it")
+      .used_if(use.used, use.otherwise);
+}
+
+void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& scene, Segment& segment) {
+  Condition& condition = segment.condition;
+  const Use inflow = use_of_inflow(scene, condition), pressure = use_of_pressure(scene, condition);
+  OptionEntry& velocity = o.real(key + "gas_velocity", condition.gas_velocity, "m/s", any_number(),
+                                 "superficial velocity of the gas that an inlet or gas_inlet brings into the box")
+                              .symbol("(1-nu) u")
+                              .default_from("0; required for a gas_inlet")
+                              .used_if(inflow.used, inflow.otherwise);
+  velocity.needed = inflow.used && condition.kind == BoundaryKind::gas_inlet;
+  declare_profile(o, key, dim, inflow, segment);
+  declare_history(o, key, inflow, condition.gas_history);
+  o.real(key + "gas_pressure", condition.gas_pressure, "Pa", any_number(),
+         "p_g outside of an open side, over that of still gas there")
+      .symbol("p_g")
+      .used_if(pressure.used, pressure.otherwise);
+  declare_gas_wall(o, key, scene, condition);
+}
+
+}  // namespace scree

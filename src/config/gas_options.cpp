@@ -1,0 +1,31 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+
+void declare_gas(OptionSet& o, Case& scene) {
+  o.group("gas");
+  GasParameters& gas = scene.gas;
+  ModelParameters& model = scene.model;
+  o.choice(
+      "gas", gas.model,
+      {{"none", GasModel::none}, {"darcy", GasModel::darcy}, {"incompressible", GasModel::incompressible}},
+      "gas phase: absent; (2) and (4) without gas inertia, u eliminated on each face, so that p_g alone is an "
+      "unknown; (2) and (4) in full. darcy is good enough where the Stokes-like ratio rho_g (1-nu)/(beta t) of gas "
+      "response time to the flow's time is small: packed or fluidised beds; not for jets and freeboards");
+  const bool some = gas.model != GasModel::none;
+  const std::string absent = "gas is none";
+  o.real("gas_density", gas.rho_g, "kg/m3", positive(), "density of the gas, constant")
+      .symbol("rho_g")
+      .used_if(some, absent);
+  o.real("gas_viscosity", gas.mu_g, "Pa s", positive(), "viscosity of the gas").symbol("mu_g").used_if(some, absent);
+  o.boolean("gas_viscous_stress", model.gas_viscous_stress, "sigma_g of (5) with its viscous part; no: sigma_g = p_g I")
+      .symbol("sigma_g")
+      .used_if(gas.model == GasModel::incompressible, "gas is not incompressible");
+  o.real("gas_darcy_solids_fraction", model.darcy_solids_fraction, "-",
+         above_zero_below(scene.kinetic.nu_max, "solids_fraction_max"),
+         "gas darcy: drag in voids is that of this solids fraction")
+      .symbol("nu")
+      .used_if(gas.model == GasModel::darcy, "gas is not darcy");
+}
+
+}  // namespace scree

@@ -1,0 +1,54 @@
+#include "scree/solver/consistent_gas.hpp"
+
+namespace scree {
+
+namespace {
+
+/// Length of the step that gives p_g, as a share of the first of the run: u hardly moves in it.
+constexpr double share_of_step = 1e-3;
+
+PetscErrorCode copy_pressure(const Model& model, Vec from, Vec to) {
+  PetscFunctionBeginUser;
+  const int unknowns = model.unknowns();
+  const double* source;
+  double* target;
+  PetscInt size;
+  PetscCall(VecGetLocalSize(to, &size));
+  PetscCall(VecGetArrayRead(from, &source));
+  PetscCall(VecGetArray(to, &target));
+  for (PetscInt k = model.gas_pressure(); k < size; k += unknowns) target[k] = source[k];
+  PetscCall(VecRestoreArray(to, &target));
+  PetscCall(VecRestoreArrayRead(from, &source));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace
+
+PetscErrorCode make_gas_consistent(const DiscreteProblem& problem, const StepControl& control, double time, Vec state,
+                                   bool* done) {
+  PetscFunctionBeginUser;
+  *done = true;
+  if (problem.model().gas_pressure() < 0) PetscFunctionReturn(0);
+  PetscCall(problem.project_gas(state));
+  ProblemSetup setup = problem.setup();
+  setup.model.solids_moving = false;
+  setup.model.gas_alone = true;
+  StepControl steps = control;
+  steps.scheme = "beuler";
+  steps.adaptive = steps.extrapolate = false;
+  steps.step_initial *= share_of_step;
+  steps.step_min = 0;
+
+  DiscreteProblem frozen(setup);
+  PetscCall(frozen.create(PetscObjectComm(reinterpret_cast<PetscObject>(problem.dm())), time));
+  TimeStepper stepper(frozen, steps);
+  PetscCall(stepper.create(time));
+  PetscCall(VecCopy(state, stepper.state()));
+  StepReport report;
+  PetscCall(stepper.step(PETSC_MAX_REAL, &report));
+  *done = !report.failed;
+  if (*done) PetscCall(copy_pressure(problem.model(), stepper.state(), state));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree

@@ -1,0 +1,85 @@
+"""T12, batch sedimentation: speed of the upper interface, the fan below a dense layer, the sediment at rest."""
+import numpy as np
+from gas_relations import BUOYANT, check_balances, critical_pressure
+from scipy.optimize import brentq
+from scree_program import DIRECT, EXACT, Checks, Program, centres
+
+TERMINAL = BUOYANT * 1e-8 / (18 * 0.1)  # [m/s]
+LENGTH, CELLS = 0.1, 200
+DX = LENGTH / CELLS
+
+
+def flux(nu):
+    """Downward, of particles [m/s]."""
+    return TERMINAL * nu * (1 - nu) ** 4.65
+
+
+def slope(nu):
+    return TERMINAL * (1 - nu) ** 3.65 * (1 - 5.65 * nu)
+
+
+def touching(nu0):
+    """The nu between which and nu0 > 0.354 a shock moves as fast as the fan of all thinner suspension begins."""
+    return brentq(lambda nu: (flux(nu) - flux(nu0)) / (nu - nu0) - slope(nu), 0.01, 0.353)
+
+
+program, checks = Program(), Checks("batch sedimentation in a closed vessel")
+checks.close("reference nu above which fans replace shocks", 2 / 5.65, .354, absolute=1e-3)
+
+for nu0, gas in ((.2, "incompressible"), (.2, "darcy"), (.4, "incompressible")):
+    name = f"nu {nu0}, {gas}"
+    end = 800 if nu0 == .2 else 1200
+    options = {**EXACT, "gas": gas, "initial_everywhere_solids_fraction": nu0, "end_time": end,
+               "output_interval": end / 4, "void_fraction_floor": 1e-9}
+    run = program.run("batch_sedimentation.yaml", f"{gas}_{nu0}", options)
+    states = run.all_fields()[1:]
+    times = np.array([state["time"] for state in states])
+    x = centres(states[0]["x_faces"])
+    # Between the middle of the suspension and the lid all particles are below the interface: their volume tells its place.
+    column = x > 0.04
+    tops = [0.04 + np.sum(state["solids_fraction"][column]) * DX / nu0 for state in states[:-1]]
+    checks.close(f"{name}: speed of the upper interface over terminal",
+                 -np.polyfit(times[:-1], tops, 1)[0] / TERMINAL, (1 - nu0) ** 4.65, relative=1e-3)
+    near = int(np.argmin(np.abs(x - 0.06)))
+    u = states[0]["velocity_x_face"][near]
+    checks.close(f"{name}: speed in the suspension over terminal", -u / TERMINAL, (1 - nu0) ** 4.65, relative=1e-4)
+    check_balances(checks, name, run)
+
+# A dense layer above clear gas: the particles rain from it in a fan, nu falls with depth as slope(nu) = depth/time.
+DENSE, UNDER, END = .45, .05, 300
+thin = touching(DENSE)
+options = {"solver": "direct", "accuracy": 1e-3, "advection": "van_albada", "grid_cells": 400,
+           "initial_everywhere_solids_fraction": 0, "initial_layer_order": 1, "initial_layer_box": f"{UNDER}, {LENGTH}",
+           "initial_layer_solids_fraction": DENSE, "end_time": END, "time_step_initial": 1}
+run = program.run("batch_sedimentation.yaml", "fan", options)
+x = centres(run.fields["x_faces"])
+below = x < 0.08
+nu, x = run.fields["solids_fraction"][below], x[below]
+# from the fan to half of the shock
+for level, speed in [*((level, slope(level)) for level in (.05, .1, .15, .2)), (0.5 * (thin + DENSE), slope(thin))]:
+    checks.close(f"below a layer of nu {DENSE}: fall of nu {level:.4g} over time and terminal speed",
+                 (UNDER - np.interp(level, nu, x)) / END / TERMINAL, speed / TERMINAL, absolute=1e-2)
+check_balances(checks, f"below a layer of nu {DENSE}", run)
+
+# The sediment packs until p_c carries it all, by the weight of rho_s - rho_g.
+for gas in ("incompressible", "darcy"):
+    options = {**DIRECT, "gas": gas, "initial_everywhere_solids_fraction": .3, "grid_cells": 100, "gas_viscosity": 1e-3,
+               "time_step_adaptive": "yes", "time_step_initial": 1e-3, "time_step_max": 100, "end_time": 1e4,
+               "output_interval": 0}
+    run = program.run("batch_sedimentation.yaml", f"sediment_{gas}", options, must_work=False, timeout=60)
+    checks.equal(f"sediment, {gas}: exit code", run.code, 0)
+    if run.code:
+        continue
+    nu, dx = run.fields["solids_fraction"], LENGTH / 100
+    weight = BUOYANT * (np.cumsum((nu * dx)[::-1])[::-1] - 0.5 * nu * dx)
+    # The face between the last, partly filled cell and the void falls for ever, see column_at_rest.py: gas carries it.
+    bed = weight > 200
+    checks.above(f"sediment, {gas}: cells in it", bed.sum(), 30)
+    layers = -np.diff(critical_pressure(nu[bed])) / dx / (0.5 * (nu[bed][1:] + nu[bed][:-1]) * BUOYANT)
+    checks.below(f"sediment, {gas}: rise of p_c over the weight of a layer, less 1", np.abs(layers - 1).max(), 1e-5)
+    checks.close(f"sediment, {gas}: p_c in the lowest cell over the weight above", critical_pressure(nu[0]) / weight[0], 1,
+                 absolute=1e-2)
+    checks.below(f"sediment, {gas}: greatest p_g gradient there over the weight",
+                 np.abs(np.diff(run.fields["gas_pressure"][bed])).max() / dx / BUOYANT, 1e-6)
+    check_balances(checks, f"sediment, {gas}", run)
+checks.verdict()
