@@ -29,6 +29,7 @@ PetscErrorCode make_gas_consistent(const DiscreteProblem& problem, const StepCon
   PetscFunctionBeginUser;
   *done = true;
   if (problem.model().gas_pressure() < 0) PetscFunctionReturn(0);
+  PetscCall(problem.impose_gas(state));
   PetscCall(problem.project_gas(state));
   ProblemSetup setup = problem.setup();
   setup.model.solids_moving = false;

@@ -225,6 +225,7 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   const Lattice& grid = *lattice_;
   const int unknowns = model_->unknowns();
   double outflow_rate, gas_outflow_rate;
+  PetscCall(impose_gas(state));
   PetscCall(project_gas(state));
   PetscCall(outflow(state, Phase::solids, &outflow_rate));
   PetscCall(outflow(state, Phase::gas, &gas_outflow_rate));
@@ -248,6 +249,18 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
       MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   // The gas has the rest of the box: its volume changes by -sum.
   *imbalance = {sum + outflow_rate, model_->gas_pressure() >= 0 ? gas_outflow_rate - sum : 0};
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
+  PetscFunctionBeginUser;
+  GhostedArray u;
+  double* owned;
+  PetscCall(u.open(dm_, state));
+  PetscCall(VecGetArray(state, &owned));
+  model_->impose_gas(u.data(), owned);
+  PetscCall(VecRestoreArray(state, &owned));
+  PetscCall(u.close());
   PetscFunctionReturn(0);
 }
 

@@ -41,7 +41,7 @@ for dimension in (1, 2):
 
 # With gas the weight is that of rho_s - rho_g; the start knows it, and p_g stays nothing.
 for gas in ("incompressible", "darcy"):
-    for dt in (1e-4, 1e-2, 1.0):
+    for dt in (1e-4, 1.0):
         name = f"gas {gas}, dt {dt} s"
         options = {**DIRECT, "gas": gas, "time_step_initial": dt, "end_time": 10 * dt}
         run = program.run("column_at_rest.yaml", f"rest_{gas}_{dt}", options)
@@ -49,7 +49,7 @@ for gas in ("incompressible", "darcy"):
         drift = np.abs(run.fields["solids_fraction"] - run.first_fields["solids_fraction"]).max()
         checks.below(f"{name}: drift of nu in 10 steps", drift, 1e-9)
         checks.below(f"{name}: greatest p_g [Pa]", np.abs(run.fields["gas_pressure"]).max(), 1e-9)
-        check_balances(checks, name, run)
+        check_balances(checks, name, run, gas)
     # with the gas as heavy as makes a difference: a tenth of the particles
     options = {**EXACT, "gas": gas, "gas_density": 290, "grid_cells": 880, "end_time": 3e-3}
     run = program.run("column_at_rest.yaml", f"heavy_{gas}", options)

@@ -15,5 +15,5 @@ for gas in ("incompressible", "darcy"):
         found, exact = run.fields[name], without[name]
         checks.below(f"{gas}: greatest difference of {name}, over the greatest value",
                      np.abs(found - exact).max() / np.abs(exact).max(), 1e-6)
-    check_balances(checks, gas, run)
+    check_balances(checks, gas, run, gas)
 checks.verdict()

@@ -35,14 +35,14 @@ for U, gradient in GRADIENTS.items():
         p, x = run.fields["gas_pressure"], centres(run.fields["x_faces"])
         found = np.append(-np.diff(p) / np.diff(x), p[-1] / (0.1 - x[-1]))
         checks.below(f"{name}: greatest error of the gradient, relative", np.abs(found / exact - 1).max(), 1e-6)
-        check_balances(checks, name, run)
+        check_balances(checks, name, run, gas)
 
 for nu, d, w, table in TEMPERATURES:
     checks.close(f"reference nu {nu}, d {d} m, w {w} m/s: T without limit [cm2/s2]", temperature(nu, d, w, 0) * 1e4, table,
                  relative=1e-5)
     exact = temperature(nu, d, w, LIMIT)
     for gas in ("incompressible", "darcy"):
-        for factor in (1e-2, 1e2):
+        for factor in (1e-2, 1e2) if gas == "incompressible" else (1e2,):
             name = f"nu {nu}, d {d} m, w {w} m/s, {gas}, from {factor:g} T"
             options = {**EXACT, "gas": gas, "granular_temperature": "transport", "particle_diameter": d,
                        "initial_everywhere_solids_fraction": nu, "boundary_floor_gas_velocity": w * (1 - nu),
@@ -54,5 +54,5 @@ for nu, d, w, table in TEMPERATURES:
             checks.close(f"{name}: T at the end", T.mean(), exact, relative=1e-5)
             checks.below(f"{name}: spread of T, relative", np.ptp(T) / exact, 1e-5)
             checks.close(f"{name}: T against the table [cm2/s2]", T.mean() * 1e4, table, relative=1e-2)
-            check_balances(checks, name, run)
+            check_balances(checks, name, run, gas)
 checks.verdict()

@@ -32,7 +32,7 @@ for nu, d, U in TABLE:
 uniform = brentq(lambda nu: fluidising_flow(nu, D) - .22, .5, .6)
 checks.close("reference nu at U 22 cm/s", uniform, .551452, absolute=1e-6)
 
-for U, gas in ((0.10, "incompressible"), (0.10, "darcy"), (0.14, "incompressible"), (0.20, "incompressible"),
+for U, gas in ((0.10, "incompressible"), (0.14, "incompressible"), (0.20, "incompressible"),
                (0.22, "incompressible"), (0.22, "darcy")):
     name = f"U {U * 100:g} cm/s, {gas}"
     run = program.run("fluidised_bed.yaml", f"{gas}_{U}", {**DIRECT, "gas": gas, "boundary_floor_gas_velocity": U})
@@ -60,5 +60,5 @@ for U, gas in ((0.10, "incompressible"), (0.10, "darcy"), (0.14, "incompressible
         if gas == "incompressible":
             slip = (last["gas_velocity_x_face"] - last["velocity_x_face"])[1:50]
             checks.below(f"{name}: slip in the lower half, relative error", np.abs(slip * (1 - uniform) / U - 1).max(), 1e-4)
-    check_balances(checks, name, run)
+    check_balances(checks, name, run, gas)
 checks.verdict()

@@ -9,7 +9,7 @@ program, checks = Program(), Checks("particles that float in rising gas")
 for d, speed in TABLE.items():
     checks.close(f"reference d {d} m, nu -> 0 [cm/s]", settling_slip(1e-12, d) * 100, speed, relative=1e-4)
     for gas, floor in (("incompressible", {}), ("darcy", {"gas_darcy_solids_fraction": 1e-8})):
-        for nu in (1e-2, 1e-4):
+        for nu in (1e-2, 1e-4) if gas == "incompressible" else (1e-4,):
             name = f"d {d} m, {gas}, nu {nu}"
             flow = (1 - nu) * settling_slip(nu, d)
             run = program.run("terminal_velocity.yaml", f"{gas}_{d}_{nu}",
@@ -24,5 +24,5 @@ for d, speed in TABLE.items():
             checks.close(f"{name}: slip [m/s]", slip, exact, relative=1e-4)
             if nu == 1e-4:
                 checks.close(f"{name}: slip against the table [cm/s]", slip * 100, speed, relative=1e-3)
-            check_balances(checks, name, run)
+            check_balances(checks, name, run, gas)
 checks.verdict()

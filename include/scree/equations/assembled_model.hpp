@@ -108,6 +108,15 @@ class AssembledModel final : public Model {
     each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
   }
 
+  void impose_gas(const double* state, double* owned) const override {
+    each_constraint([&](const Constraint& c) {
+      if (!L::is_u(c.component)) return;
+      const bool superficial = c.kind == Constraint::superficial;
+      const double share = superficial ? 1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)] : 1;
+      owned[assembly_.owned_unknown(c.component, c.node)] = c.value / share;
+    });
+  }
+
   double solids_flux(const double* state, int axis, const Index& I) const override {
     double flux = 0;
     static_for<L::dim>([&](auto a) {

@@ -51,6 +51,9 @@ class Model {
   virtual double solids_flux(const double* state, int axis, const Index& I) const = 0;
   /// Volume flux of gas (1-nu) u there [m/s]; 0 without gas.
   virtual double gas_flux(const double* state, int axis, const Index& I) const = 0;
+  /// Sets u on sides and plates to what their conditions say for the nu of `state`; `owned` is the same state without
+  /// ghosts.
+  virtual void impose_gas(const double* state, double* owned) const = 0;
   /// Components of p_g and of u along an axis; -1 where they are no unknowns.
   virtual int gas_pressure() const = 0;
   virtual int gas_velocity(int axis) const = 0;

@@ -58,7 +58,9 @@ class DiscreteProblem {
   /// evaluation by TS. The imbalances are zero but for rounding; where u is no unknown (gas darcy) that of the gas is
   /// what Newton's method leaves. u goes with nu as it was before, as in the fluxes of the step.
   PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
-  /// Makes div(nu v + (1-nu) u) vanish by changing u, where u is an unknown.
+  /// Makes u obey the conditions on sides and plates, where u is an unknown.
+  PetscErrorCode impose_gas(Vec state) const;
+  /// Makes div(nu v + (1-nu) u) vanish by changing u inside and on open sides, where u is an unknown.
   PetscErrorCode project_gas(Vec state) const;
   /// Solids volume in the box [m^dim].
   PetscErrorCode solids_volume(Vec state, double* volume) const;
