@@ -87,7 +87,7 @@ def bubble(fields):
 class Run:
     def __init__(self, directory):
         self.directory = Path(directory)
-        self.label = self.directory.resolve().name
+        self.label = self.directory.name
         self.last = scree_output.last_fields(directory)
         self.rows = []
         monitor = scree_output.monitor(directory)

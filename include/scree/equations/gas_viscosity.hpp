@@ -62,8 +62,8 @@ struct GasNormalStress {
 };
 
 /// Shear stress on momentum `axis` across the lower `across` faces about edge I, where no barrier is; no-slip walls
-/// have theirs below. On a side of the box normal to `axis` only the half inside is there, without change of u across
-/// it.
+/// have theirs below. Nothing changes across open sides of the box: on one normal to `axis` only the half inside is
+/// there, and on one normal to `across` only the other component shears.
 template <class L, int axis, int across>
 struct GasShearStress {
   static constexpr Index a = unit(axis), b = unit(across);
@@ -79,25 +79,27 @@ struct GasShearStress {
   static constexpr bool depends(int, const Input&) { return true; }
 
   static bool active(const Scene& scene, const Index& I) {
-    return scene.model.gas_viscous_stress && scene.lattice.is_face(axis, I) &&
-           share(scene, I - a) + share(scene, I) > 0;
+    return scene.model.gas_viscous_stress && share(scene, I - a) + share(scene, I) > 0;
   }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     if (L::is_u(input.component)) return {input.offset, 1};
-    const bool lower = input.offset[axis] < 0;  // beyond a side: the cell before it
-    if (lower && !scene.lattice.inside(I - a)) return {input.offset + a, 1};
-    if (!lower && !scene.lattice.inside(I)) return {input.offset - a, 1};
-    return {input.offset, 1};
+    Index at = input.offset;  // beyond a side: the cell before it
+    for (const int normal : {axis, across})
+      if (on_side_of_axis(scene, normal, I)) at[normal] = I[normal] == 0 ? 0 : -1;
+    return {at, 1};
   }
 
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<GasShearStress, Number>& q,
                        std::array<Number, count>& r) {
     const Axis &along = scene.axis(axis), &normal = scene.axis(across);
-    const double below = on_side(scene, axis, I) ? (scene.lattice.inside(I) ? 0 : 1) : along.lower_share(I[axis]);
+    const bool side = on_side_of_axis(scene, axis, I);
+    const double below = side ? (I[axis] == 0 ? 0 : 1) : along.lower_share(I[axis]);
     const double open = below * share(scene, I - a) + (1 - below) * share(scene, I);
-    Number rate = (q(L::u(axis)) - q(L::u(axis), -1 * b)) / normal.distance(I[across]);
-    if (!on_side(scene, axis, I)) rate += (q(L::u(across)) - q(L::u(across), -1 * a)) / along.distance(I[axis]);
+    Number rate(0.0);
+    if (!on_side_of_axis(scene, across, I))
+      rate += (q(L::u(axis)) - q(L::u(axis), -1 * b)) / normal.distance(I[across]);
+    if (!side) rate += (q(L::u(across)) - q(L::u(across), -1 * a)) / along.distance(I[axis]);
     const Number sigma = -scene.gas().mu_g * open * rate;
     const Number before = face_mean(scene, axis, I, q(L::nu, -1 * a - b), q(L::nu, -1 * b));
     const Number behind = face_mean(scene, axis, I, q(L::nu, -1 * a), q(L::nu));
@@ -108,7 +110,9 @@ struct GasShearStress {
  private:
   /// Whether stress acts between cells J - e_across and J.
   static int share(const Scene& scene, const Index& J) {
-    return scene.lattice.inside(J) && scene.lattice.inside(J - b) && !scene.barriers.at(across, J) ? 1 : 0;
+    const bool above = scene.lattice.inside(J), below = scene.lattice.inside(J - b);
+    if (above == below) return above && !scene.barriers.at(across, J) ? 1 : 0;
+    return scene.barriers.at(across, J) && scene.barriers.condition(across, J).kind == BoundaryKind::open ? 1 : 0;
   }
 };
 

@@ -32,6 +32,11 @@ inline bool on_side(const Scene& scene, int axis, const Index& I) {
   return !scene.lattice.inside(I) || !scene.lattice.inside(I - unit(axis));
 }
 
+/// Whether plane I[axis] of faces is an end of the box, whatever the other coordinates.
+inline bool on_side_of_axis(const Scene& scene, int axis, const Index& I) {
+  return !scene.axis(axis).periodic() && (I[axis] == 0 || I[axis] == scene.axis(axis).cells());
+}
+
 /// Whether gas cannot pass the lower `axis` face of I.
 inline bool closed_to_gas(const Scene& scene, int axis, const Index& I) {
   return scene.barriers.at(axis, I) && stops_gas(scene.barriers.condition(axis, I).kind);
