@@ -227,6 +227,7 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   double outflow_rate, gas_outflow_rate;
   PetscCall(impose_gas(state));
   PetscCall(project_gas(state));
+  PetscCall(settle_pressure(state));
   PetscCall(outflow(state, Phase::solids, &outflow_rate));
   PetscCall(outflow(state, Phase::gas, &gas_outflow_rate));
   double* x;
@@ -267,6 +268,29 @@ PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
 PetscErrorCode DiscreteProblem::project_gas(Vec state) const {
   PetscFunctionBeginUser;
   if (gas_projection_) PetscCall(gas_projection_->apply(state));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode DiscreteProblem::settle_pressure(Vec state) const {
+  PetscFunctionBeginUser;
+  const int p = model_->gas_pressure();
+  if (p < 0 || barriers_->some_open()) PetscFunctionReturn(0);
+  double* x;
+  double sum[2] = {0, 0};
+  PetscCall(VecGetArray(state, &x));
+  const auto each_cell = [&](auto&& work) {
+    for_each_node(lattice_->owned_first, lattice_->owned_count, [&](const Index& I) {
+      if (lattice_->inside(I)) work(x[lattice_->owned(I) * model_->unknowns() + p], lattice_->volume(I));
+    });
+  };
+  each_cell([&](double value, double volume) {
+    sum[0] += volume * value;
+    sum[1] += volume;
+  });
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
+  each_cell([&](double& value, double) { value -= sum[0] / sum[1]; });
+  PetscCall(VecRestoreArray(state, &x));
   PetscFunctionReturn(0);
 }
 

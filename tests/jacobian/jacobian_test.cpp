@@ -150,10 +150,9 @@ void check_entries(Evaluation& problem, const Sample& s, double shift) {
   std::vector<std::map<int, double>> columns(static_cast<std::size_t>(size));
   const Values rounding = rounding_of(problem, s);
   Values row_scale = problem.zeros();
-  const bool held_in_jacobian_alone = problem.component("p_g") >= 0 && problem.problem().barriers().some_open();
+  const bool with_pressure = problem.component("p_g") >= 0;
   problem.each_entry([&](int row, int column, double entry) {
-    if (held_in_jacobian_alone && row == column && row % problem.unknowns() == problem.component("p_g"))
-      entry -= pressure_hold;
+    if (with_pressure && row == column && row % problem.unknowns() == problem.component("p_g")) entry -= pressure_hold;
     columns[column][row] = entry * s.width[column];
     row_scale[row] = std::max(row_scale[row], std::abs(entry * s.width[column]));
   });

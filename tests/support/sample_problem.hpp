@@ -72,12 +72,8 @@ inline std::vector<Segment> all_sides(const Box& box, const Condition& condition
   return segments;
 }
 
-/// Times the stored p_g, is added to the rows of (2) where no side is open, and stands in the Jacobian everywhere; see
-/// assembled_model.hpp.
+/// The diagonal of the rows of p_g that stands in the Jacobian alone; see assembled_model.hpp.
 inline constexpr double pressure_hold = 1e-11;
-inline double pressure_hold_of(const DiscreteProblem& problem) {
-  return problem.barriers().some_open() ? 0 : pressure_hold;
-}
 
 inline void set_temperature_model(ProblemSetup& setup, TemperatureModel model, double value = 1e-4) {
   setup.model.temperature = setup.solids.temperature = model;

@@ -75,9 +75,6 @@ class AssembledModel final : public Model {
       const int row = assembly_.owned_unknown(c.component, c.node);
       residual[row] = constraint_value(c, state, rate);
     });
-    if (!setup_.barriers.some_open())
-      each_pressure_row(
-          [&](int row, const Index& I) { residual[row] += pressure_hold * state[assembly_.ghosted_unknown(L::p, I)]; });
   }
 
   void sparsity(EntrySink& sink) const override {
@@ -157,8 +154,8 @@ class AssembledModel final : public Model {
     Index neighbour{};  ///< follow: zero gradient towards this node; superficial: the cell before the side
   };
 
-  /// Times p_g, added to (2) where no side is open: it settles the level of p_g, whose mean it makes zero. Elsewhere it
-  /// stands in the Jacobian alone, as a stored diagonal for factorisations, too small to be noticed.
+  /// Stands as the diagonal of the rows of p_g in the Jacobian alone: factorisations want one, and where no side is
+  /// open the level of p_g is undetermined (DiscreteProblem settles it). Too small to be noticed by Newton's method.
   static constexpr double pressure_hold = 1e-11;
 
   template <int count, class Work>

@@ -62,6 +62,8 @@ class DiscreteProblem {
   PetscErrorCode impose_gas(Vec state) const;
   /// Makes div(nu v + (1-nu) u) vanish by changing u inside and on open sides, where u is an unknown.
   PetscErrorCode project_gas(Vec state) const;
+  /// Makes the mean of p_g zero where no side is open, i.e. where (2) and (4) leave it undetermined.
+  PetscErrorCode settle_pressure(Vec state) const;
   /// Solids volume in the box [m^dim].
   PetscErrorCode solids_volume(Vec state, double* volume) const;
   /// Outflow of solids or gas through all sides of the box [m^dim/s].

@@ -249,8 +249,6 @@ struct Percolation {
       return f.symbol == "nu" && inside ? nu : 0.0;
     });
     residual = problem->residual(state, problem->zeros());
-    for (int i = problem->component("p_g"); i < problem->size(); i += problem->unknowns())
-      residual[i] -= pressure_hold_of(problem->problem()) * state[i];
   }
   double beta(double nu, double slip) const {
     return drag_coefficient(nu, slip * slip, setup.solids.kinetic.d, setup.solids.gas);

@@ -27,10 +27,9 @@ class ConsistentGas : public DirectSolver {
   /// without what settles the level of p_g.
   static double imbalance(Evaluation& problem, const Values& state) {
     const Values residual = problem.residual(state, problem.zeros());
-    const double hold = problem.component("u") >= 0 ? pressure_hold_of(problem.problem()) : 0;
     double greatest = 0;
     for (int i = problem.component("p_g"); i < problem.size(); i += problem.unknowns())
-      greatest = std::max(greatest, std::abs(residual[i] - hold * state[i]));
+      greatest = std::max(greatest, std::abs(residual[i]));
     return greatest / problem.problem().setup().scales.time;
   }
 };
