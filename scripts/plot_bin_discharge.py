@@ -39,7 +39,7 @@ class Run:
 
     def __init__(self, directory):
         self.directory = Path(directory)
-        self.label = self.directory.resolve().name
+        self.label = self.directory.name
         case = scree_output.case(directory)
         self.floor = scree_output.lengths(case.get("plate_floor_position", "0.05"))[0]
         openings = scree_output.lengths(case.get("plate_floor_openings", "0, 0.007"))
