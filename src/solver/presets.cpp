@@ -26,32 +26,35 @@ const PetscOptionList direct{{"ksp_type", "gmres"},       {"ksp_pc_side", "right
                              {"pc_type", "lu"},           {"pc_factor_mat_solver_type", "mumps"},
                              {"mat_mumps_icntl_14", "60"}};
 
-/// GMRES with block Jacobi, one ILU(1) a rank: workstation, two dimensions. The residual is preconditioned on the
-/// right: left-preconditioned norms converge falsely.
-const PetscOptionList ilu{{"ksp_type", "gmres"},         {"ksp_pc_side", "right"},
-                          {"ksp_gmres_restart", "100"},  {"ksp_max_it", "300"},
-                          {"ksp_rtol", "1e-2"},          {"pc_type", "bjacobi"},
-                          {"sub_ksp_type", "preonly"},   {"sub_pc_type", "ilu"},
-                          {"sub_pc_factor_levels", "1"}, {"sub_pc_factor_shift_type", "nonzero"}};
+/// Preconditioners of a block of unknowns: one ILU(1) a rank ...
+const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
+                                {"sub_ksp_type", "preonly"},
+                                {"sub_pc_type", "ilu"},
+                                {"sub_pc_factor_levels", "1"},
+                                {"sub_pc_factor_shift_type", "nonzero"}};
 
-/// GMRES with one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
+/// ... or one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
 /// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these, and the
 /// iterations hardly grow with the grid.
-const PetscOptionList multigrid{{"ksp_type", "gmres"},
-                                {"ksp_pc_side", "right"},
-                                {"ksp_gmres_restart", "100"},
-                                {"ksp_max_it", "200"},
-                                {"ksp_rtol", "3e-2"},
-                                {"pc_type", "gamg"},
-                                {"pc_gamg_type", "agg"},
-                                {"pc_gamg_agg_nsmooths", "0"},
-                                {"pc_gamg_reuse_interpolation", "false"},
-                                {"mg_levels_ksp_type", "richardson"},
-                                {"mg_levels_ksp_max_it", "1"},
-                                {"mg_levels_pc_type", "bjacobi"},
-                                {"mg_levels_sub_pc_type", "ilu"},
-                                {"mg_levels_sub_pc_factor_levels", "1"},
-                                {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+const PetscOptionList multigrid_block{{"pc_type", "gamg"},
+                                      {"pc_gamg_type", "agg"},
+                                      {"pc_gamg_agg_nsmooths", "0"},
+                                      {"pc_gamg_reuse_interpolation", "false"},
+                                      {"mg_levels_ksp_type", "richardson"},
+                                      {"mg_levels_ksp_max_it", "1"},
+                                      {"mg_levels_pc_type", "bjacobi"},
+                                      {"mg_levels_sub_pc_type", "ilu"},
+                                      {"mg_levels_sub_pc_factor_levels", "1"},
+                                      {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+
+/// GMRES for fixed preconditioners. They stand on the right: left-preconditioned norms converge falsely.
+PetscOptionList gmres(const std::string& tolerance, const std::string& most_iterations) {
+  return {{"ksp_type", "gmres"},
+          {"ksp_pc_side", "right"},
+          {"ksp_gmres_restart", "100"},
+          {"ksp_max_it", most_iterations},
+          {"ksp_rtol", tolerance}};
+}
 
 /// Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
 /// aggregation multigrid.
@@ -80,18 +83,13 @@ PetscOptionList solids_fieldsplit(int unknowns) {
           {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
 }
 
-/// GMRES with the Schur complement on p_g, to which one V-cycle of BoomerAMG is applied. The diagonal of the rows of u
+/// The Schur complement on p_g, to which one V-cycle of BoomerAMG is applied. The diagonal of the rows of u
 /// holds the drag, so that stiff drag costs no iterations: what is left is the mobility of the gas. `rest` is the
 /// preconditioner of all other unknowns.
 PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOptionList& rest) {
   const std::string before = component_list(0, gas_pressure),
                     after = component_list(gas_pressure + 1, unknowns - gas_pressure - 1);
-  PetscOptionList list{{"ksp_type", "gmres"},
-                       {"ksp_pc_side", "right"},
-                       {"ksp_gmres_restart", "100"},
-                       {"ksp_max_it", "200"},
-                       {"ksp_rtol", "1e-2"},
-                       {"pc_type", "fieldsplit"},
+  PetscOptionList list{{"pc_type", "fieldsplit"},
                        {"pc_fieldsplit_type", "schur"},
                        {"pc_fieldsplit_dm_splits", "false"},
                        {"pc_fieldsplit_schur_fact_type", "upper"},
@@ -105,22 +103,6 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   for (const auto& [name, value] : rest) list.emplace_back("fieldsplit_0_" + name, value);
   return list;
 }
-
-const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
-                                {"sub_pc_type", "ilu"},
-                                {"sub_pc_factor_levels", "1"},
-                                {"sub_pc_factor_shift_type", "nonzero"}};
-
-const PetscOptionList multigrid_block{{"pc_type", "gamg"},
-                                      {"pc_gamg_type", "agg"},
-                                      {"pc_gamg_agg_nsmooths", "0"},
-                                      {"pc_gamg_reuse_interpolation", "false"},
-                                      {"mg_levels_ksp_type", "richardson"},
-                                      {"mg_levels_ksp_max_it", "1"},
-                                      {"mg_levels_pc_type", "bjacobi"},
-                                      {"mg_levels_sub_pc_type", "ilu"},
-                                      {"mg_levels_sub_pc_factor_levels", "1"},
-                                      {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
 /// One ILU(2) a rank for all unknowns, p_g among them.
 const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
@@ -138,11 +120,14 @@ PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_
   if (preset == "direct") {
     append(direct);
   } else if (preset == "ilu") {
+    append(gmres("1e-2", "300"));
     if (gas) append(gas_ilu);
-    append(ilu);
+    append(ilu_block);
   } else if (preset == "multigrid") {
-    append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid);
+    append(gas ? gmres("1e-2", "200") : gmres("3e-2", "200"));
+    append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid_block);
   } else if (preset == "fieldsplit") {
+    if (gas) append(gmres("1e-2", "200"));
     append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block) : solids_fieldsplit(unknowns));
   } else {
     throw std::invalid_argument("solver preset '" + preset + "'");

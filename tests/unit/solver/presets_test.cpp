@@ -55,6 +55,28 @@ TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
     EXPECT_EQ(std::count(fields.begin(), fields.end(), c), 1) << "component " << c << " in " << fields;
 }
 
+TEST_F(Presets, GasPressureIsSplitFromAllOthers) {
+  for (const char* preset : {"fieldsplit", "multigrid"}) {
+    std::string rest, pressure;
+    for (const auto& [name, text] : preset_options(preset, 8, 5)) {
+      if (name == "pc_fieldsplit_0_fields") rest = text;
+      if (name == "pc_fieldsplit_1_fields") pressure = text;
+    }
+    EXPECT_EQ(rest, "0,1,2,3,4,6,7") << preset;
+    EXPECT_EQ(pressure, "5") << preset;
+  }
+}
+
+TEST_F(Presets, NameNoOptionTwice) {
+  for (const char* preset : {"direct", "ilu", "multigrid", "fieldsplit"})
+    for (const int gas_pressure : {-1, 5}) {
+      PetscOptionList options = preset_options(preset, 8, gas_pressure);
+      std::sort(options.begin(), options.end());
+      const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
+      EXPECT_EQ(std::adjacent_find(options.begin(), options.end(), same_name), options.end()) << preset;
+    }
+}
+
 TEST_F(Presets, UnknownNameIsAnError) { EXPECT_THROW(preset_options("amg", 4), std::invalid_argument); }
 
 }  // namespace
