@@ -9,7 +9,7 @@ namespace scree {
 /// 1e-13 of nu at nu = .02 for the default eps of 1e-5. Below zero, where rounding may carry nu, their sum stays eps.
 template <class Number>
 Number void_floor(const Number& nu, double eps) {
-  if (nu <= 0.0) return eps - nu;
+  if (nu < 0.0) return eps - nu;
   if (eps == 0) return Number(0.0);
   const Number x = nu / (10 * eps), square = x * x;
   return eps / (1.0 + square * square);
