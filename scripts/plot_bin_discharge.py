@@ -3,35 +3,19 @@
 
 Into OUT_DIR/plots: discharge_rate.png, centreline.png (all runs, in the first OUT_DIR) and bottom_map.png (each run).
 """
-import argparse
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import ListedColormap, PowerNorm
 
 import scree_output
+import scree_plots
 
 PAPER_RATE = 144.0  # [g/s], Figs 4 and 9
 START_UP = 0.3  # [s], left out of the plateau
 DEPTH_TIMES = {1.5: 85.0, 4.5: 53.9}  # [s]: [cm], section 4.1
 ABOVE, BELOW = 20.0, 5.0  # what bottom_map and centreline show around the floor [cm]
-
-STYLE = {
-    "font.size": 12,
-    "axes.labelsize": 13,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-    "lines.linewidth": 1.8,
-    "figure.dpi": 100,
-    "savefig.dpi": 180,
-    "savefig.bbox": "tight",
-    "figure.constrained_layout.use": True,
-}
 
 
 class Run:
@@ -184,24 +168,11 @@ def report(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directories", nargs="+", metavar="OUT_DIR", help="output directory of a run")
-    directories = parser.parse_args().directories
-    for directory in directories:
-        if not scree_output.field_files(directory):
-            parser.error(f"{directory} holds no fields of a run")
-    plt.rcParams.update(STYLE)
-    runs = [Run(directory) for directory in directories]
-
-    def save(figure, run, name):
-        (run.directory / "plots").mkdir(exist_ok=True)
-        figure.savefig(run.directory / "plots" / name)
-        plt.close(figure)
-
-    save(draw_discharge_rate(runs), runs[0], "discharge_rate.png")
-    save(draw_centreline(runs), runs[0], "centreline.png")
+    runs = [Run(directory) for directory in scree_plots.arguments(__doc__).directories]
+    scree_plots.save(draw_discharge_rate(runs), runs[0].directory, "discharge_rate.png")
+    scree_plots.save(draw_centreline(runs), runs[0].directory, "centreline.png")
     for run in runs:
-        save(draw_bottom_map(run), run, "bottom_map.png")
+        scree_plots.save(draw_bottom_map(run), run.directory, "bottom_map.png")
         report(run)
 
 

@@ -4,16 +4,13 @@
 Into OUT_DIR/plots: discharge_rate.png and centreline.png (nu, and p_g of the runs with air), all runs, in the first
 OUT_DIR; bottom_map.png (each run). Give the run with air and the one without together.
 """
-import argparse
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
 import plot_bin_discharge as bin_discharge
 import scree_output
+import scree_plots
 
 
 class Run(bin_discharge.Run):
@@ -78,25 +75,13 @@ def report(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directories", nargs="+", metavar="OUT_DIR", help="output directory of a run")
-    parser.add_argument("--since", type=float, default=0.6, help="start of the means [s]; default 0.6")
-    arguments = parser.parse_args()
-    for directory in arguments.directories:
-        if not scree_output.field_files(directory):
-            parser.error(f"{directory} holds no fields of a run")
-    plt.rcParams.update(bin_discharge.STYLE)
+    since = ("--since", dict(type=float, default=0.6, help="start of the means [s]; default 0.6"))
+    arguments = scree_plots.arguments(__doc__, since)
     runs = [Run(directory, arguments.since) for directory in arguments.directories]
-
-    def save(figure, run, name):
-        (run.directory / "plots").mkdir(exist_ok=True)
-        figure.savefig(run.directory / "plots" / name)
-        plt.close(figure)
-
-    save(draw_discharge_rate(runs), runs[0], "discharge_rate.png")
-    save(draw_centreline(runs), runs[0], "centreline.png")
+    scree_plots.save(draw_discharge_rate(runs), runs[0].directory, "discharge_rate.png")
+    scree_plots.save(draw_centreline(runs), runs[0].directory, "centreline.png")
     for run in runs:
-        save(bin_discharge.draw_bottom_map(run), run, "bottom_map.png")
+        scree_plots.save(bin_discharge.draw_bottom_map(run), run.directory, "bottom_map.png")
         report(run)
 
 

@@ -4,17 +4,13 @@
 Into OUT_DIR/plots: bubble.png (all runs side by side at the last time) and bubble_in_time.png, both in the first OUT_DIR,
 and bubble.csv (each run). The bubble is the largest region with nu < 0.3 that is not the freeboard.
 """
-import argparse
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
 import scree_output
-from plot_bin_discharge import STYLE
+import scree_plots
 
 LEVEL = 0.3
 FINER = 8  # points a cell in each direction, for the contour
@@ -133,24 +129,19 @@ def report(run):
             print("  {time:6.3f}  {bottom:9.2f} {top:8.2f} {width:8.2f} {area:9.1f} {bed_height:10.1f}".format(**row))
 
 
+def write_table(run):
+    (run.directory / "plots").mkdir(exist_ok=True)
+    table = "\n".join(",".join(f"{value:.6g}" for value in row.values()) for row in run.rows)
+    (run.directory / "plots" / "bubble.csv").write_text(f"{','.join(run.rows[0])}\n{table}\n")
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directories", nargs="+", metavar="OUT_DIR", help="output directory of a run")
-    directories = parser.parse_args().directories
-    for directory in directories:
-        if not scree_output.field_files(directory):
-            parser.error(f"{directory} holds no fields of a run")
-    plt.rcParams.update(STYLE)
-    runs = [Run(directory) for directory in directories]
+    runs = [Run(directory) for directory in scree_plots.arguments(__doc__).directories]
     for run in runs:
-        (run.directory / "plots").mkdir(exist_ok=True)
-        header = ",".join(run.rows[0])
-        table = "\n".join(",".join(f"{value:.6g}" for value in row.values()) for row in run.rows)
-        (run.directory / "plots" / "bubble.csv").write_text(f"{header}\n{table}\n")
+        write_table(run)
         report(run)
-    for figure, name in ((draw_bubbles(runs), "bubble.png"), (draw_in_time(runs), "bubble_in_time.png")):
-        figure.savefig(runs[0].directory / "plots" / name)
-        plt.close(figure)
+    scree_plots.save(draw_bubbles(runs), runs[0].directory, "bubble.png")
+    scree_plots.save(draw_in_time(runs), runs[0].directory, "bubble_in_time.png")
 
 
 if __name__ == "__main__":

@@ -64,6 +64,19 @@ double Lattice::volume(const Index& I) const {
   return volume;
 }
 
+bool Lattice::on_side(int axis, const Index& I) const { return !inside(I) || !inside(I - unit(axis)); }
+
+double Lattice::face_area(int axis, const Index& I) const {
+  double area = 1;
+  for (int a = 0; a < dim; ++a)
+    if (a != axis) area *= axes[a].width(I[a]);
+  return area;
+}
+
+double Lattice::control_length(int axis, const Index& I) const {
+  return (on_side(axis, I) ? 0.5 : 1.0) * axes[axis].distance(I[axis]);
+}
+
 PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
   PetscFunctionBeginUser;
   DMBoundaryType ends[max_dim];

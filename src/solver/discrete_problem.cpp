@@ -216,10 +216,6 @@ PetscErrorCode DiscreteProblem::residual(Vec state, Vec rate, Vec residual) cons
   PetscFunctionReturn(0);
 }
 
-double DiscreteProblem::face_area(int axis, const Index& I) const {
-  return lattice_->volume(I) / lattice_->axes[axis].width(I[axis]);
-}
-
 PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const {
   PetscFunctionBeginUser;
   const Lattice& grid = *lattice_;
@@ -318,7 +314,7 @@ PetscErrorCode DiscreteProblem::outflow(Vec state, Phase phase, double* total) c
     for (int axis = 0; axis < lattice_->dim; ++axis) {
       const bool lower = !lattice_->inside(I - unit(axis)), upper = !lattice_->inside(I);
       if (lower == upper || !barriers_->at(axis, I)) continue;
-      sum += (upper ? 1 : -1) * face_area(axis, I) * flux(phase, u.data(), axis, I);
+      sum += (upper ? 1 : -1) * lattice_->face_area(axis, I) * flux(phase, u.data(), axis, I);
     }
   });
   PetscCall(u.close());
@@ -343,7 +339,7 @@ PetscErrorCode DiscreteProblem::plane_flux(Vec state, Phase phase, int axis, dou
       const double x = lattice_->axes[a].centre(I[a]);
       if (a != axis && (x < patch.lower[a] || x > patch.upper[a])) return;
     }
-    sum += face_area(axis, I) * flux(phase, u.data(), axis, I);
+    sum += lattice_->face_area(axis, I) * flux(phase, u.data(), axis, I);
   });
   PetscCall(u.close());
   PetscCallMPI(MPI_Allreduce(&sum, total, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));

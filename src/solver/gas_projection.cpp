@@ -14,17 +14,9 @@ constexpr double rounding = 1e-15;
 /// Each pass takes some eight digits off the imbalance.
 constexpr int most_passes = 3;
 
-double face_area(const Lattice& grid, int axis, const Index& I) {
-  double area = 1;
-  for (int a = 0; a < grid.dim; ++a)
-    if (a != axis) area *= grid.axes[a].width(I[a]);
-  return area;
-}
-
 /// Conductance of a face: area over the distance between the potentials; that of an open side lies on the face.
 double conductance(const Lattice& grid, int axis, const Index& I) {
-  const bool side = !grid.inside(I) || !grid.inside(I - unit(axis));
-  return face_area(grid, axis, I) / ((side ? 0.5 : 1.0) * grid.axes[axis].distance(I[axis]));
+  return grid.face_area(axis, I) / grid.control_length(axis, I);
 }
 
 }  // namespace
@@ -116,7 +108,7 @@ PetscErrorCode GasProjection::divergence(Vec state, Vec volume_rate, double* gre
     for (int axis = 0; axis < lattice_.dim && lattice_.inside(I); ++axis)
       for (int side = 0; side < 2; ++side) {
         const Index face = I + side * unit(axis);
-        const double out = face_area(lattice_, axis, face) *
+        const double out = lattice_.face_area(axis, face) *
                            (model_.solids_flux(u.data(), axis, face) + model_.gas_flux(u.data(), axis, face));
         sum += side == 0 ? -out : out;
         most[1] = std::max(most[1], std::abs(out));
@@ -166,8 +158,7 @@ PetscErrorCode GasProjection::correct(Vec state) const {
       const double share = lattice_.axes[axis].lower_share(I[axis]);
       const double nu_face = !has_below ? nu[1] : !has_above ? nu[0] : share * nu[0] + (1 - share) * nu[1];
       const int component = model_.gas_velocity(axis);
-      x[lattice_.owned(I) * unknowns + component] -= conductance(lattice_, axis, I) / face_area(lattice_, axis, I) *
-                                                     difference / (1 - nu_face) /
+      x[lattice_.owned(I) * unknowns + component] -= difference / lattice_.control_length(axis, I) / (1 - nu_face) /
                                                      model_.fields()[static_cast<std::size_t>(component)].scale;
     }
   });

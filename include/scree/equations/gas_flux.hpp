@@ -33,15 +33,14 @@ constexpr void add_gas_flux_inputs(StencilBuilder& s, int axis, const Index& at)
 template <class L, class Q>
 auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
   using Number = std::decay_t<decltype(q(L::nu))>;
-  const Index e = unit(axis), face = I + at;
+  const Index face = I + at;
   if (closed_to_gas(scene, axis, face)) return Number(0.0);
-  const bool side = on_side(scene, axis, face);
-  const Number nu = side ? q(L::nu, box_above(scene, axis, face) ? at : at - e)
-                         : face_mean(scene, axis, face, q(L::nu, at - e), q(L::nu, at));
+  const Number nu = face_solids_fraction<L>(scene, I, q, axis, at);
   if constexpr (L::has_u) {
     return Number((1.0 - nu) * q(L::u(axis), at));
   } else {
-    if (side && brings_gas(scene.barriers.condition(axis, face).kind)) return Number(given_gas_flux(scene, axis, face));
+    if (scene.barriers.at(axis, face) && brings_gas(scene.barriers.condition(axis, face).kind))
+      return Number(given_gas_flux(scene, axis, face));
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
     const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
     const Number mobility = through(

@@ -37,8 +37,7 @@ struct GasForces {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<GasForces, Number>& q,
                        std::array<Number, count>& r) {
-    const Number nu = on_side(scene, axis, I) ? q(L::nu, box_above(scene, axis, I) ? Index{} : -1 * e)
-                                              : face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, Index{});
     if constexpr (L::has_u) {
       r[0] += nu * gradient;

@@ -20,7 +20,7 @@ auto pressure_gradient(const Scene& scene, const Index& I, const Q& q, int axis,
   if (scene.barriers.at(axis, face)) {
     const Condition& condition = scene.barriers.condition(axis, face);
     if (condition.kind != BoundaryKind::open) return Number(0.0);
-    const double length = control_length(scene, axis, face);
+    const double length = scene.lattice.control_length(axis, face);
     return box_above(scene, axis, face) ? Number((q(L::p, at) - condition.gas_pressure) / length)
                                         : Number((condition.gas_pressure - q(L::p, at - unit(axis))) / length);
   }

@@ -56,8 +56,8 @@ struct GasNormalStress {
     const Number sigma = -2.0 * scene.gas().mu_g * (D - div_u / 3.0);
     const Number below = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number above = face_mean(scene, axis, I + e, q(L::nu), q(L::nu, e));
-    add_gas_stress(below, Number(sigma / control_length(scene, axis, I)), r[0], r[1]);
-    add_gas_stress(above, Number(-sigma / control_length(scene, axis, I + e)), r[2], r[3]);
+    add_gas_stress(below, Number(sigma / scene.lattice.control_length(axis, I)), r[0], r[1]);
+    add_gas_stress(above, Number(-sigma / scene.lattice.control_length(axis, I + e)), r[2], r[3]);
   }
 };
 

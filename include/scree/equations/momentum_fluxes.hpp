@@ -93,8 +93,8 @@ struct NormalMomentumFlux {
     } else {
       carried = upwind(F, below, above);
     }
-    r[0] += rho * F * (carried - below) / control_length(scene, axis, I);
-    r[1] -= rho * F * (carried - above) / control_length(scene, axis, I + e);
+    r[0] += rho * F * (carried - below) / scene.lattice.control_length(axis, I);
+    r[1] -= rho * F * (carried - above) / scene.lattice.control_length(axis, I + e);
   }
 
  private:

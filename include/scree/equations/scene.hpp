@@ -27,9 +27,12 @@ Number face_mean(const Scene& scene, int axis, const Index& I, const Number& bel
 /// Whether the box lies above the side that carries the lower `axis` face of I.
 inline bool box_above(const Scene& scene, int axis, const Index& I) { return !scene.lattice.inside(I - unit(axis)); }
 
-/// Whether the lower `axis` face of I is on a side of the box.
-inline bool on_side(const Scene& scene, int axis, const Index& I) {
-  return !scene.lattice.inside(I) || !scene.lattice.inside(I - unit(axis));
+/// nu at the lower `axis` face of I + at: the mean of its cells, on a side of the box that of the cell inside.
+template <class L, class Q>
+auto face_solids_fraction(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+  const Index below = at - unit(axis);
+  if (scene.lattice.on_side(axis, I + at)) return q(L::nu, box_above(scene, axis, I + at) ? at : below);
+  return face_mean(scene, axis, I + at, q(L::nu, below), q(L::nu, at));
 }
 
 /// Whether plane I[axis] of faces is an end of the box, whatever the other coordinates.
@@ -42,15 +45,10 @@ inline bool closed_to_gas(const Scene& scene, int axis, const Index& I) {
   return scene.barriers.at(axis, I) && stops_gas(scene.barriers.condition(axis, I).kind);
 }
 
-/// Length of the control volume about the lower `axis` face of I: half a cell on a side of the box [m].
-inline double control_length(const Scene& scene, int axis, const Index& I) {
-  return (on_side(scene, axis, I) ? 0.5 : 1.0) * scene.axis(axis).distance(I[axis]);
-}
-
 /// Share of cell I in the control volume about its lower (side 0) or upper (side 1) `axis` face.
 inline double share_of_cell(const Scene& scene, int axis, const Index& I, int side) {
   const Index face = I + side * unit(axis);
-  if (on_side(scene, axis, face)) return 1;
+  if (scene.lattice.on_side(axis, face)) return 1;
   const double below = scene.axis(axis).lower_share(face[axis]);
   return side == 0 ? 1 - below : below;
 }

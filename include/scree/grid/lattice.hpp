@@ -66,7 +66,12 @@ class Lattice {
   bool inside(const Index& I) const;
   /// Whether the lower `axis` face of I belongs to the box, sides included.
   bool is_face(int axis, const Index& I) const;
-  double volume(const Index& I) const;  ///< of cell I [m^dim]
+  /// Whether the lower `axis` face of I is on a side of the box: one of its two cells is outside.
+  bool on_side(int axis, const Index& I) const;
+  double volume(const Index& I) const;               ///< of cell I [m^dim]
+  double face_area(int axis, const Index& I) const;  ///< of the lower `axis` face of I [m^(dim-1)]
+  /// Length of the control volume about the lower `axis` face of I: half a cell on a side of the box [m].
+  double control_length(int axis, const Index& I) const;
 };
 
 /// Calls work(I) for all I with first <= I < first + count, axis 0 fastest.

@@ -72,7 +72,6 @@ class DiscreteProblem {
   PetscErrorCode plane_flux(Vec state, Phase phase, int axis, double position, const Patch& patch, double* flux) const;
 
  private:
-  double face_area(int axis, const Index& I) const;
   double flux(Phase phase, const double* state, int axis, const Index& I) const {
     return phase == Phase::solids ? model_->solids_flux(state, axis, I) : model_->gas_flux(state, axis, I);
   }

@@ -23,8 +23,7 @@ class ConsistentGas : public DirectSolver {
     check(VecDestroy(&x));
     return result;
   }
-  /// Greatest row of (2) [1/s]. Where u is an unknown it is projected, so that div(nu v + (1-nu) u) itself is zero,
-  /// without what settles the level of p_g.
+  /// Greatest row of (2) [1/s].
   static double imbalance(Evaluation& problem, const Values& state) {
     const Values residual = problem.residual(state, problem.zeros());
     double greatest = 0;
