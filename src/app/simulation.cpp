@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scree/app/initial_state.hpp"
 #include "scree/output/atomic_file.hpp"
@@ -78,6 +79,10 @@ ProblemSetup Simulation::problem_setup(const Case& scene) {
                   scene.model.temperature_value,
                   scene.model.temperature_floor,
                   scene.gas};
+  if (scene.friction.lagged && scene.friction.model == FrictionModel::instantaneous) {
+    setup.solids.friction.model = FrictionModel::relaxed;  // chi is kept, and does not relax
+    setup.solids.friction.tau = std::numeric_limits<double>::min();
+  }
   setup.scales = scales_of(scene);
   return setup;
 }

@@ -101,6 +101,11 @@ void check_friction(const FrictionParameters& friction) {
                      "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");
 }
 
+void check_lagging(const FrictionParameters& friction, const TimeParameters& time) {
+  if (friction.lagged && (time.adaptive || time.scheme != TimeScheme::beuler))
+    throw InputError("friction_lagged", "yes", "no, or time_step_adaptive no and time_scheme beuler");
+}
+
 void check_time(const TimeParameters& time) {
   if (!time.adaptive) return;
   const std::string initial = number_text(time.step_initial) + " s";
@@ -125,6 +130,7 @@ void check_output(const Case& scene) {
 
 void check_case(const Case& scene) {
   check_friction(scene.friction);
+  check_lagging(scene.friction, scene.time);
   check_time(scene.time);
   check_boundaries(scene);
   check_plates(scene);

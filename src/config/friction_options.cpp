@@ -20,6 +20,11 @@ void declare_friction(OptionSet& o, FrictionParameters& friction) {
   o.real("friction_tau", friction.tau, "s", positive(), "relaxation time of chi, eq. (23)")
       .symbol("tau")
       .used_if(friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+  o.boolean(
+       "friction_lagged", friction.lagged,
+       "for studies, with fixed steps of beuler: chi of a step is taken from the state before it, through (21) or a "
+       "step of (23) without advection, as segregated codes have it")
+      .used_if(with_chi, no_chi);
   o.real("friction_angle", friction.phi, "rad", positive_angle(), "angle of internal friction, eq. (14)")
       .symbol("phi")
       .used_if(some, absent);

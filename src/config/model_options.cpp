@@ -5,6 +5,9 @@ namespace scree {
 void declare_model(OptionSet& o, int dim, ModelParameters& model) {
   o.group("model");
   o.vector("gravity", model.gravity, dim, "m/s2", "acceleration of gravity").symbol("g");
+  o.vector("vibration_amplitude", model.vibration_amplitude, dim, "m",
+           "the box moves as amplitude sin(2 pi frequency t); velocities are those in the box");
+  o.real("vibration_frequency", model.vibration_frequency, "Hz", non_negative(), "frequency of that motion");
   o.choice("solids", model.solids_moving, {{"moving", true}, {"fixed", false}},
            "fixed: solids fraction and velocity stay as they are initially");
   o.choice("granular_temperature", model.temperature,

@@ -249,6 +249,18 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   PetscFunctionReturn(0);
 }
 
+PetscErrorCode DiscreteProblem::lag_friction(Vec state, double dt) const {
+  PetscFunctionBeginUser;
+  GhostedArray u;
+  double* x;
+  PetscCall(u.open(dm_, state));
+  PetscCall(VecGetArray(state, &x));
+  model_->relax_chi(u.data(), dt / (dt + setup_.solids.friction.tau), x);
+  PetscCall(VecRestoreArray(state, &x));
+  PetscCall(u.close());
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
   PetscFunctionBeginUser;
   GhostedArray u;

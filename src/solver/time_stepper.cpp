@@ -282,6 +282,7 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   TSAdapt adapt;  // what is left to a given time may be less than step_min
   PetscCall(TSGetAdapt(ts_, &adapt));
   PetscCall(TSAdaptSetStepLimits(adapt, std::min(control_.step_min, dt), PETSC_MAX_REAL));
+  if (problem_.setup().solids.friction.lagged) PetscCall(problem_.lag_friction(state_, dt));
   PetscCall(TSSetTimeStep(ts_, finds_slope_ ? dt / 2 : dt));
   PetscCall(TSStep(ts_));
   finds_slope_ = false;

@@ -58,6 +58,7 @@ class Program:
         self.work = Path(given.work)
         shutil.rmtree(self.work, ignore_errors=True)
         self.work.mkdir(parents=True)
+        Checks.directory = self.work
         self.here = Path(sys.argv[0]).resolve().parent
 
     def command(self, case, options=None, ranks=None):
@@ -84,16 +85,30 @@ class Program:
 
 
 class Checks:
-    """Counts what failed; each check prints its case, what was measured, what was expected, and the tolerance."""
+    """Counts what failed; each check prints its case, what was measured, what was expected, and the tolerance.
 
-    def __init__(self, title):
+    `ids` are those of the exact solutions (T1 ...) and hard cases (H1 ...) that the script tests. The verdict leaves
+    checks.json in the work directory of the Program, from which scripts/test_report.py makes tests/README.md."""
+
+    directory = None  # where checks.json goes; set by Program
+
+    def __init__(self, title, *ids):
         self.failed = 0
+        self.record = {"title": title, "ids": list(ids), "checks": [], "hard_cases": []}
         print(title)
 
     def _say(self, good, case, measured, expected):
         self.failed += not good
+        self.record["checks"].append({"good": bool(good), "case": case, "measured": measured, "expected": expected})
         print(f"  {'ok  ' if good else 'FAIL'}  {case}: measured {measured}, expected {expected}")
         sys.stdout.flush()
+
+    def hard_case(self, identity, title, run, **more):
+        """A line of the table of hard cases: what `run` took and kept, see hard_case_figures. `more`: measured (text),
+        bound (text), without (what the figure would be without the remedy, text), mirror_error (number)."""
+        line = {"id": identity, "title": title, **(hard_case_figures(run) if run else {}), **more}
+        self.record["hard_cases"].append(line)
+        print(f"  {identity} {title}: " + ", ".join(f"{key} {value}" for key, value in line.items() if key not in ("id", "title")))
 
     def close(self, case, measured, expected, relative=0.0, absolute=0.0):
         tolerance = absolute + relative * abs(expected)
@@ -121,8 +136,34 @@ class Checks:
                   f"last order {expected} +- {slack}, last error <= {bound:.2g}")
 
     def verdict(self):
+        if self.directory:
+            (self.directory / "checks.json").write_text(json.dumps(self.record, indent=1))
         print("all checks hold" if not self.failed else f"{self.failed} checks FAILED")
         sys.exit(1 if self.failed else 0)
+
+
+def hard_case_figures(run):
+    """What a run took and kept: steps, largest step [s], Newton iterations a step, rejected steps, extremes of nu and T
+    over the run, error of mass. As far as the run has them."""
+    summary, monitor = run.summary, run.monitor
+    figures = {
+        "steps": int(summary["steps"]),
+        "dt_max": float(summary["dt_max"]),
+        "newton": summary["newton_iterations"] / max(summary["steps"], 1),
+        "rejected": int(summary["rejected_error"] + summary["rejected_solver"]),
+        "nu_min": float(np.min(monitor["solids_fraction_min"])),
+        "nu_max": float(np.max(monitor["solids_fraction_max"])),
+        "mass_error": float(abs(summary["quantities"]["mass_error"])),
+    }
+    if "granular_temperature_min" in monitor:
+        figures["T_min"] = float(np.min(monitor["granular_temperature_min"]))
+        figures["T_max"] = float(np.max(monitor["granular_temperature_max"]))
+    return figures
+
+
+def mirror_error(values):
+    """Greatest difference between an array over cells [..., x] and its mirror image in x."""
+    return float(np.abs(values - values[..., ::-1]).max())
 
 
 def norm(values):

@@ -23,7 +23,7 @@ def touching(nu0):
     return brentq(lambda nu: (flux(nu) - flux(nu0)) / (nu - nu0) - slope(nu), 0.01, 0.353)
 
 
-program, checks = Program(), Checks("batch sedimentation in a closed vessel")
+program, checks = Program(), Checks("batch sedimentation in a closed vessel", "T12")
 checks.close("reference nu above which fans replace shocks", 2 / 5.65, .354, absolute=1e-3)
 
 for nu0, gas in ((.2, "incompressible"), (.2, "darcy"), (.4, "incompressible")):

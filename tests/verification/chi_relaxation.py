@@ -11,7 +11,7 @@ def chi_star(E):
     return (1 - E * D / (n * np.sqrt(2 * T) * SIN_PHI)) ** (n - 1)
 
 
-program, checks = Program(), Checks("relaxation of chi from 0.8, tau 10 ms, T 1 cm2/s2, d 0.1 cm")
+program, checks = Program(), Checks("relaxation of chi from 0.8, tau 10 ms, T 1 cm2/s2, d 0.1 cm", "T3")
 for E in (0.0, 8.0, -30.0):  # 1/s
     gradient = f"{E / 3}, 0, 0, 0, {E / 3}, 0, 0, 0, {E / 3}"
     exact = chi_star(E) + (CHI0 - chi_star(E)) * np.exp(-END / TAU)

@@ -22,7 +22,7 @@ def solids_fraction(z, rho=RHO, smooth=False):
     return brentq(lambda nu: weight(nu) - rho * G * z, NU_MIN + 1e-9, NU_MAX - 1e-6, xtol=1e-14)
 
 
-program, checks = Program(), Checks("column of 1 m at rest")
+program, checks = Program(), Checks("column of 1 m at rest", "T4")
 for z, nu in TABLE.items():
     # the table is for particles in air
     checks.close(f"reference nu at depth {z} cm", solids_fraction(z / 100, RHO - 1.3), nu, absolute=1e-6)

@@ -33,7 +33,7 @@ def shock(program, V, nu1, nu2, U, cells, courant):
             np.abs(monitor["mass_error"]).max())
 
 
-program, checks = Program(), Checks("compaction shock against a wall")
+program, checks = Program(), Checks("compaction shock against a wall", "T15")
 for V, nu1, nu2, U in CASES:
     name = f"V {100 * V:g} cm/s, nu1 {nu1}"
     p_c = 0.5 * (nu2 - 0.5) ** 2 / (0.65 - nu2) ** 5

@@ -20,7 +20,7 @@ def momentum(fields, nu):
     return RHO_S * nu * np.mean(fields["velocity_x_face"]) + RHO_G * (1 - nu) * np.mean(fields["gas_velocity_x_face"])
 
 
-program, checks = Program(), Checks("drag in a periodic box")
+program, checks = Program(), Checks("drag in a periodic box", "T13")
 
 # Order in time; in air Re is up to 30, in a gas a thousand times as viscous the decay is exponential.
 for nu, mu, end, bound in ((.01, 1.8e-5, 0.05, {"beuler": 2e-2, "bdf": 2e-3}), (.3, 1.8e-2, 1e-6, {"beuler": 3e-2, "bdf": 1e-3})):

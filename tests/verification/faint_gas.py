@@ -5,7 +5,7 @@ from scree_program import Checks, Program
 
 FIELDS = ("solids_fraction", "velocity_x_face", "velocity_y_face", "granular_temperature", "frictional_pressure_ratio")
 
-program, checks = Program(), Checks("bin with a gas of 1e-6 kg/m3 and 1e-12 Pa s")
+program, checks = Program(), Checks("bin with a gas of 1e-6 kg/m3 and 1e-12 Pa s", "T18")
 TIGHT = {"solver": "direct", "accuracy": 1e-5}  # Newton far below the difference that is looked for
 without = program.run("faint_gas.yaml", "none", TIGHT).fields
 for gas in ("incompressible", "darcy"):

@@ -21,7 +21,7 @@ def temperature(nu, d, w, limit):
     return brentq(gain, 1e-6, 1, xtol=1e-15) ** 2
 
 
-program, checks = Program(), Checks("gas through particles held fast")
+program, checks = Program(), Checks("gas through particles held fast", "T9", "T17")
 for U, gradient in GRADIENTS.items():
     exact = pressure_gradient(.6, U / 40, 4e-4)
     checks.close(f"reference U {U} cm/s: gradient [dyn/cm3]", exact / 10, gradient, relative=1e-5)

@@ -26,7 +26,7 @@ def bed(mass, U):
     return y[2], y[0], y[1], solids_fraction(y[0])
 
 
-program, checks = Program(), Checks("bed of 10 cm that gas passes from below, d 0.04 cm")
+program, checks = Program(), Checks("bed of 10 cm that gas passes from below, d 0.04 cm", "T10")
 for nu, d, U in TABLE:
     checks.close(f"reference U at nu {nu}, d {d} m [cm/s]", fluidising_flow(nu, d) * 100, U, absolute=1e-3)
 uniform = brentq(lambda nu: fluidising_flow(nu, D) - .22, .5, .6)

@@ -10,7 +10,7 @@ def temperature(t):
     return CM2 / (1 + A * t / 2) ** 2
 
 
-program, checks = Program(), Checks("Haff cooling, nu 0.3, d 0.1 cm, T0 1 cm2/s2, T(0.1 s)")
+program, checks = Program(), Checks("Haff cooling, nu 0.3, d 0.1 cm, T0 1 cm2/s2, T(0.1 s)", "T1")
 checks.close("reference T(0.1) [cm2/s2]", temperature(0.1) / CM2, 0.4372736, relative=1e-6)
 checks.close("reference T(1) [cm2/s2]", temperature(1) / CM2, 0.0266774, relative=1e-5)
 for scheme, (order, bound) in SCHEMES.items():

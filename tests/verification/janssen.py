@@ -16,7 +16,7 @@ def solids_fraction(p):
     return brentq(lambda nu: p_c(nu) - p, 0.5, 0.649, xtol=1e-14)
 
 
-program, checks = Program(), Checks("Janssen's profile, W 8 cm, depth 85 cm, walls moving upwards")
+program, checks = Program(), Checks("Janssen's profile, W 8 cm, depth 85 cm, walls moving upwards", "T5")
 slope = lambda z, p: [RHO * (solids_fraction(max(p[0], 0)) * G) - 2 * TAN * p[0] / W]
 exact = solve_ivp(slope, (0, 0.85), [0.0], rtol=1e-9, atol=1e-6, dense_output=True).sol
 for depth, (p, nu) in TABLE.items():

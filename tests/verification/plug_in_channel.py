@@ -11,7 +11,7 @@ def drop(x):
     return np.sqrt(2 * T) / D / A * (1 - np.sqrt(1 - (A * x) ** 2))
 
 
-program, checks = Program(), Checks("plug in a channel, W 8 cm, nu 0.6, d 0.1 cm")
+program, checks = Program(), Checks("plug in a channel, W 8 cm, nu 0.6, d 0.1 cm", "T6")
 checks.close("reference v(0) - v(wall) at T = 1 cm2/s2 [cm/s]", drop(W / 2) * np.sqrt(1e-4 / T) * 100, 13.6802, relative=1e-5)
 errors = []
 for cells in (8, 16, 32):

@@ -20,7 +20,7 @@ def velocity(y, fmu, p_c, nu, g):
     return quad(shear_rate, y, H, epsabs=1e-13, epsrel=1e-12)[0]
 
 
-program, checks = Program(), Checks("layer pulled along a wall, T 1 cm2/s2, d 0.1 cm, H 2 cm")
+program, checks = Program(), Checks("layer pulled along a wall, T 1 cm2/s2, d 0.1 cm, H 2 cm", "T2")
 for nu, (fmu, p_c, g) in CASES.items():
     if p_c:  # the table has four digits
         p_c = 0.05 * (nu - 0.5) ** 2 / (0.65 - nu) ** 5

@@ -5,7 +5,7 @@ from scree_program import EXACT, Checks, Program
 GDOT, D = 10.0, 1e-3
 RATIO = {0.1: 4.39810, 0.3: 1.34206, 0.55: 1.10921}  # T/(d gdot)^2, verification.md section 1
 
-program, checks = Program(), Checks("steady simple shear at 10 1/s, d 0.1 cm")
+program, checks = Program(), Checks("steady simple shear at 10 1/s, d 0.1 cm", "T2")
 for nu, ratio in RATIO.items():
     # with friction chi starts at 1: elsewhere (14) jumps where div v changes its sign, and here it is zero but for rounding
     options = {**EXACT, "initial_everywhere_solids_fraction": nu,

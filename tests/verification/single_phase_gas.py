@@ -28,7 +28,7 @@ def interpolation(x, y):
     return value
 
 
-program, checks = Program(), Checks("gas alone")
+program, checks = Program(), Checks("gas alone", "T18")
 
 HEIGHT, LENGTH, MU = 0.02, 0.04, 1.8e-3
 run = program.run("gas_couette.yaml", "couette", EXACT)

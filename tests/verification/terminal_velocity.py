@@ -5,7 +5,7 @@ from scree_program import EXACT, Checks, Program
 
 TABLE = {1e-3: 726.4, 4e-4: 321.24, 1e-4: 61.835}  # d [m]: [cm/s]
 
-program, checks = Program(), Checks("particles that float in rising gas")
+program, checks = Program(), Checks("particles that float in rising gas", "T11")
 for d, speed in TABLE.items():
     checks.close(f"reference d {d} m, nu -> 0 [cm/s]", settling_slip(1e-12, d) * 100, speed, relative=1e-4)
     for gas, floor in (("incompressible", {}), ("darcy", {"gas_darcy_solids_fraction": 1e-8})):

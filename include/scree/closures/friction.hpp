@@ -24,6 +24,7 @@ struct FrictionParameters {
   double tau = 1e-3;                    ///< relaxation time of chi, (23) [s]
   bool strain_rate_fluctuation = true;  ///< true: S:S + T/d^2, (20); false: S:S, (15)-(17)
   double d = 1e-3;                      ///< particle diameter [m]
+  bool lagged = false;                  ///< chi of a step from the state before it, as segregated codes have it
   double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + T/d^2 + floor^2) [1/s]
 };
 

@@ -114,6 +114,21 @@ class AssembledModel final : public Model {
     });
   }
 
+  void relax_chi([[maybe_unused]] const double* state, [[maybe_unused]] double share,
+                 [[maybe_unused]] double* owned) const override {
+    if constexpr (L::has_chi) {
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (!setup_.lattice.inside(I)) return;
+        Local<CellBalances<L>, double> q;
+        assembly_.gather(state, state, 0, I, q);
+        const auto strain = cell_strain<L>(assembly_.scene, I, q);
+        const double steady = cell_closures<L, CellClosure::chi_star>(assembly_.scene, I, q, strain)[0];
+        double& chi = owned[assembly_.owned_unknown(L::chi, I)];
+        chi += share * (steady - chi);
+      });
+    }
+  }
+
   double solids_flux(const double* state, int axis, const Index& I) const override {
     double flux = 0;
     static_for<L::dim>([&](auto a) {
@@ -218,7 +233,8 @@ class AssembledModel final : public Model {
       if (grid.inside(I)) {
         if (setup_.model.solids_moving) rows |= 1U << L::nu;
         if constexpr (L::has_T) rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::T;
-        if constexpr (L::has_chi) rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::chi;
+        if constexpr (L::has_chi)
+          rows |= static_cast<unsigned>(!setup_.model.gas_alone && !setup_.solids.friction.lagged) << L::chi;
         if constexpr (L::has_gas) rows |= 1U << L::p;
       }
       for (int axis = 0; axis < L::dim; ++axis) {

@@ -54,6 +54,9 @@ class Model {
   /// Sets u on sides and plates to what their conditions say for the nu of `state`; `owned` is the same state without
   /// ghosts.
   virtual void impose_gas(const double* state, double* owned) const = 0;
+  /// Moves chi in `owned`, the same state without ghosts, by `share` of its way to chi* (21) of `state`, where it is an
+  /// unknown.
+  virtual void relax_chi(const double* state, double share, double* owned) const = 0;
   /// Components of p_g and of u along an axis; -1 where they are no unknowns.
   virtual int gas_pressure() const = 0;
   virtual int gas_velocity(int axis) const = 0;

@@ -15,6 +15,11 @@ struct Scene {
 
   const Axis& axis(int a) const { return lattice.axes[static_cast<std::size_t>(a)]; }
   const GasParameters& gas() const { return solids.gas; }
+  /// Gravity along an axis as it is felt in the box, which may vibrate [m/s2].
+  double gravity(int a) const {
+    const double omega = 2 * pi * model.vibration_frequency;
+    return model.gravity[a] + omega * omega * std::sin(omega * time) * model.vibration_amplitude[a];
+  }
 };
 
 /// Mean over the two cells about the lower `axis` face of I, weighted by their shares in its control volume.

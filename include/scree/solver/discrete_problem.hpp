@@ -58,6 +58,8 @@ class DiscreteProblem {
   /// evaluation by TS. The imbalances are zero but for rounding; where u is no unknown (gas darcy) that of the gas is
   /// what Newton's method leaves. u goes with nu as it was before, as in the fluxes of the step.
   PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
+  /// Friction lagged by a step: chi of `state` after a step of dt of (23) without advection, or chi* itself.
+  PetscErrorCode lag_friction(Vec state, double dt) const;
   /// Makes u obey the conditions on sides and plates, where u is an unknown.
   PetscErrorCode impose_gas(Vec state) const;
   /// Makes div(nu v + (1-nu) u) vanish by changing u inside and on open sides, where u is an unknown.
