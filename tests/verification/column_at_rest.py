@@ -6,7 +6,8 @@ from gas_relations import check_balances
 from scree_program import DIRECT, EXACT, Checks, Program, centres, norm
 
 RHO, G, F, NU_MIN, NU_MAX = 2900.0, 9.81, 0.05, 0.5, 0.65
-TABLE = {0.1: .552331, 0.5: .570679, 1: .578269, 2: .585484, 5: .594316, 10: .600409, 20: .605979, 50: .612551}  # cm
+TABLE = {0.1: .552331, 0.5: .570679, 1: .578269, 2: .585484, 5: .594316, 10: .600409, 20: .605979, 50: .612551,
+         100: .616951}  # depth [cm]: nu
 
 
 def p_c(nu, smooth=False):
@@ -17,7 +18,7 @@ def solids_fraction(z, rho=RHO, smooth=False):
     """Of a column at depth z [m], where p_c/nu + integral of p_c/nu^2 = rho g z."""
 
     def weight(nu):
-        return p_c(nu, smooth) / nu + quad(lambda x: p_c(x, smooth) / x**2, NU_MIN, nu, epsabs=1e-9, epsrel=1e-9)[0]
+        return p_c(nu, smooth) / nu + quad(lambda x: p_c(x, smooth) / x**2, NU_MIN, nu, epsabs=1e-6, epsrel=1e-9)[0]
 
     return brentq(lambda nu: weight(nu) - rho * G * z, NU_MIN + 1e-9, NU_MAX - 1e-6, xtol=1e-14)
 
@@ -71,11 +72,31 @@ for cells in (220, 440, 880):
     errors.append(norm(last["solids_fraction"][deep] - exact))
     checks.below(f"{cells} cells: greatest speed [m/s]", run.monitor["speed_max"].max(), 1e-9)
 checks.order("L2 error of nu below 1 cm on 220, 440, 880 cells", errors, 1, 1e-5)
-found = np.interp([z / 100 for z in TABLE], z[::-1], p_c(last["solids_fraction"][::-1]))
-for (z, nu), pressure in zip(TABLE.items(), found):
-    if z >= 0.5:
-        nu_found = brentq(lambda x: p_c(x) - pressure, NU_MIN, 0.649)
-        checks.close(f"880 cells: nu at depth {z} cm", nu_found, nu, absolute=3e-5)
+
+
+def at_depths(fields, surface, depths):
+    """nu at depths [cm], by linear interpolation of p_c."""
+    z = surface - centres(fields["x_faces"])
+    pressures = np.interp([depth / 100 for depth in depths], z[::-1], p_c(fields["solids_fraction"][::-1]))
+    return [brentq(lambda x: p_c(x) - pressure, NU_MIN, 0.649) for pressure in pressures]
+
+
+depths = [z for z in TABLE if 0.5 <= z <= 50]
+for z, nu in zip(depths, at_depths(last, 1, depths)):
+    checks.close(f"880 cells: nu at depth {z} cm", nu, TABLE[z], absolute=3e-5)
+
+# All depths of the table, with gas as the table has it and without: a low column on cells of 0.05 mm, a high one. The
+# steps are far beyond the time in which a wave of p_c or the gas would answer.
+for gas in ("none", "incompressible", "darcy"):
+    for surface, extent, cells, depths in ((2.5, 3, 600, (.1, .5, 1, 2)), (110, 120, 960, (5, 10, 20, 50, 100))):
+        options = {**EXACT, "gas": gas, "extent": f"{extent} cm", "grid_cells": cells,
+                   "initial_fill_box": f"0, {surface} cm", "initial_fill_surface": f"{surface} cm",
+                   "time_step_initial": 0.1, "end_time": 1}
+        run = program.run("column_at_rest.yaml", f"table_{gas}_{surface}", options)
+        name = f"gas {gas}, column of {surface} cm"
+        checks.below(f"{name}: greatest speed [m/s]", run.monitor["speed_max"].max(), 1e-9)
+        for z, nu in zip(depths, at_depths(run.fields, surface / 100, depths)):
+            checks.close(f"{name}: nu at depth {z} cm", nu, TABLE[z], absolute=3e-5)
 
 # A material whose p_c rises over centimetres, 8500 Pa (nu - nu_min)/(nu_max - nu), shows the order of the balance.
 errors = []

@@ -1,0 +1,228 @@
+/// A discrete problem whose solution is known: sources at all balances, exact values in a band along the sides that are
+/// not under test.
+#pragma once
+
+#include <algorithm>
+#include <map>
+
+#include "../support/sample_problem.hpp"
+#include "scree/solver/orderings.hpp"
+#include "sources.hpp"
+
+namespace scree::test {
+
+/// Error of an unknown over the nodes where it is solved for, SI.
+struct FieldError {
+  double squares = 0, greatest = 0;
+  long count = 0;
+  double mean() const { return std::sqrt(squares / static_cast<double>(std::max(count, 1L))); }
+};
+
+class ManufacturedProblem {
+ public:
+  /// `band`: cells along each side that hold exact values, at least the 3 that stencils reach.
+  ManufacturedProblem(const ProblemSetup& setup, const ExactFields& exact, int band)
+      : exact_(exact), band_(band), problem_(setup) {
+    check(problem_.create(PETSC_COMM_WORLD, 0));
+    check(TSCreate(PETSC_COMM_WORLD, &ts_));
+    check(problem_.attach(ts_));
+    check(DMCreateGlobalVector(problem_.dm(), &solution_));
+    for (Vec* vector : {&exact_values_, &source_, &residual_, &rate_}) check(VecDuplicate(solution_, vector));
+    check(MatSetOption(problem_.matrix(), MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    fill();
+  }
+  ~ManufacturedProblem() {
+    for (Vec* vector : {&solution_, &exact_values_, &source_, &residual_, &rate_}) (void)VecDestroy(vector);
+    (void)KSPDestroy(&ksp_);
+    (void)TSDestroy(&ts_);
+  }
+  ManufacturedProblem(const ManufacturedProblem&) = delete;
+  ManufacturedProblem& operator=(const ManufacturedProblem&) = delete;
+
+  /// A step of backward Euler from the exact fields, by Newton's method until it moves nothing any more. Returns the
+  /// last update, relative to the scales of the unknowns. A step, and not the steady state: that would suffer from
+  /// solids fractions held where the flow leaves.
+  double solve() {
+    check(VecCopy(exact_values_, solution_));
+    double update = 1;
+    for (int iteration = 0; iteration < 12 && update > 1e-11; ++iteration) update = newton();
+    return update;
+  }
+
+  /// Errors by the symbol of the unknown.
+  std::map<std::string, FieldError> errors() const {
+    std::map<std::string, FieldError> result;
+    const double *x, *exact;
+    check(VecGetArrayRead(solution_, &x));
+    check(VecGetArrayRead(exact_values_, &exact));
+    each_unknown([&](const Field& field, const Index& I, int owned) {
+      if (is_held(field, I)) return;
+      FieldError& error = result[field.symbol];
+      const double difference = std::abs(x[owned] - exact[owned]) * field.scale;
+      error.squares += difference * difference;
+      error.greatest = std::max(error.greatest, difference);
+      ++error.count;
+    });
+    check(VecRestoreArrayRead(exact_values_, &exact));
+    check(VecRestoreArrayRead(solution_, &x));
+    for (auto& [symbol, error] : result) {
+      MPI_Allreduce(MPI_IN_PLACE, &error.squares, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+      MPI_Allreduce(MPI_IN_PLACE, &error.greatest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+      MPI_Allreduce(MPI_IN_PLACE, &error.count, 1, MPI_LONG, MPI_SUM, PETSC_COMM_WORLD);
+    }
+    return result;
+  }
+
+  static constexpr double step = 2e-3;  ///< a fifth of the time in which the flow crosses the box [s]
+
+ private:
+  const Lattice& grid() const { return problem_.lattice(); }
+  const Model& model() const { return problem_.model(); }
+  int dim() const { return grid().dim; }
+
+  template <class Work>
+  void each_unknown(Work&& work) const {
+    for_each_node(grid().owned_first, grid().owned_count, [&](const Index& I) {
+      for (const Field& field : model().fields()) {
+        const bool exists = field.face_axis < 0 ? grid().inside(I) : grid().is_face(field.face_axis, I);
+        if (exists) work(field, I, grid().owned(I) * model().unknowns() + field.component);
+      }
+    });
+  }
+
+  std::array<double, max_dim> place(const Field& field, const Index& I) const {
+    std::array<double, max_dim> x{};
+    for (int a = 0; a < dim(); ++a)
+      x[a] = field.face_axis == a ? grid().axes[a].face(I[a]) : grid().axes[a].centre(I[a]);
+    return x;
+  }
+
+  /// Whether an unknown lies in the band of exact values.
+  bool is_held(const Field& field, const Index& I) const {
+    for (int a = 0; a < dim(); ++a) {
+      const int last = grid().axes[a].cells() - (field.face_axis == a ? 0 : 1);
+      const bool tested = exact_.tests_side && a == 1;
+      if (I[a] > last - band_ || (!tested && I[a] < band_)) return true;
+    }
+    return false;
+  }
+
+  double row_scale(const Field& field) const {
+    const Scales& s = problem_.setup().scales;
+    const double rho_s = problem_.setup().solids.kinetic.rho_s, V = s.velocity;
+    if (field.symbol == "v") return s.time / (rho_s * V);
+    if (field.symbol == "u") return s.time / (s.density * V);
+    if (field.symbol == "T") return s.time / (rho_s * V * V);
+    return s.time;
+  }
+
+  static double value_of(const Sources& s, const Field& field) {
+    const int a = std::max(field.face_axis, 0);
+    if (field.symbol == "nu") return s.nu;
+    if (field.symbol == "v") return s.v[a];
+    if (field.symbol == "u") return s.u[a];
+    if (field.symbol == "p_g") return s.p;
+    return field.symbol == "T" ? s.T : s.chi;
+  }
+
+  void fill() {
+    double *exact, *source;
+    check(VecZeroEntries(exact_values_));
+    check(VecZeroEntries(source_));
+    check(VecGetArray(exact_values_, &exact));
+    check(VecGetArray(source_, &source));
+    each_unknown([&](const Field& field, const Index& I, int owned) {
+      const Point q = exact_.at(place(field, I), 0);
+      exact[owned] = q.value(field.symbol, field.face_axis) / field.scale;
+      if (is_held(field, I)) {
+        held_.push_back(owned);
+      } else if (model().is_balance(field.component, I)) {
+        const StrongForm form(q, dim(), problem_.setup().model, problem_.setup().solids);
+        source[owned] = row_scale(field) * (value_of(form.sources(), field) + at_wall(field, I));
+      }
+    });
+    check(VecRestoreArray(source_, &source));
+    check(VecRestoreArray(exact_values_, &exact));
+    PetscInt first;
+    check(VecGetOwnershipRange(solution_, &first, nullptr));
+    for (PetscInt& row : held_) row += first;
+  }
+
+  /// Source of a balance beside a wall of Johnson & Jackson: what its laws have in excess of the exact fields.
+  double at_wall(const Field& field, const Index& I) const {
+    if (!exact_.tests_side || exact_.kind != BoundaryKind::wall_johnson_jackson || I[1] != 0) return 0;
+    if (field.symbol != "T" && !(field.symbol == "v" && field.face_axis != 1)) return 0;
+    std::array<double, max_dim> x = place(field, I);
+    x[1] = grid().axes[1].face(0);
+    const Point q = exact_.at(x, 0);
+    const StrongForm form(q, dim(), problem_.setup().model, problem_.setup().solids);
+    const WallParameters& wall = problem_.barriers().condition(1, I).wall;
+    const double h = grid().axes[1].width(0);
+    return field.symbol == "T" ? -form.excess_heat(wall) / h : form.excess_traction(field.face_axis, wall) / h;
+  }
+
+  double newton() {
+    check(VecWAXPY(rate_, -1, exact_values_, solution_));
+    check(VecScale(rate_, 1 / step));
+    check(TSComputeIFunction(ts_, 0, solution_, rate_, residual_, PETSC_FALSE));
+    check(VecAXPY(residual_, -1, source_));
+    hold(residual_);
+    check(TSComputeIJacobian(ts_, 0, solution_, rate_, 1 / step, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
+    check(MatZeroRows(problem_.matrix(), static_cast<PetscInt>(held_.size()), held_.data(), 1, nullptr, nullptr));
+    set_up_solver();
+    check(KSPSolve(ksp_, residual_, rate_));
+    check(VecAXPY(solution_, -1, rate_));
+    double update;
+    check(VecNorm(rate_, NORM_INFINITY, &update));
+    return update;
+  }
+
+  /// Rows of the band: solution - exact.
+  void hold(Vec residual) const {
+    double* r;
+    const double *x, *exact;
+    PetscInt first;
+    check(VecGetOwnershipRange(solution_, &first, nullptr));
+    check(VecGetArray(residual, &r));
+    check(VecGetArrayRead(solution_, &x));
+    check(VecGetArrayRead(exact_values_, &exact));
+    for (const PetscInt row : held_) r[row - first] = x[row - first] - exact[row - first];
+    check(VecRestoreArrayRead(exact_values_, &exact));
+    check(VecRestoreArrayRead(solution_, &x));
+    check(VecRestoreArray(residual, &r));
+  }
+
+  /// A factorisation; in three dimensions, where that is too large, GMRES down to rounding.
+  void set_up_solver() {
+    if (!ksp_) {
+      PC pc;
+      check(KSPCreate(PETSC_COMM_WORLD, &ksp_));
+      check(KSPGetPC(ksp_, &pc));
+      if (dim() < 3) {
+        check(KSPSetType(ksp_, KSPPREONLY));
+        check(PCSetType(pc, PCLU));
+        check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+      } else {
+        check(register_orderings());
+        check(PetscOptionsSetValue(nullptr, "-sub_pc_factor_levels", "1"));
+        check(PetscOptionsSetValue(nullptr, "-sub_pc_factor_mat_ordering_type", "last_node_first"));
+        check(KSPSetType(ksp_, KSPGMRES));
+        check(KSPGMRESSetRestart(ksp_, 200));
+        check(KSPSetTolerances(ksp_, 1e-7, 1e-14, PETSC_DEFAULT, 2000));
+        check(PCSetType(pc, PCBJACOBI));
+      }
+      check(KSPSetErrorIfNotConverged(ksp_, PETSC_TRUE));
+    }
+    check(KSPSetOperators(ksp_, problem_.matrix(), problem_.matrix()));
+  }
+
+  ExactFields exact_;
+  int band_;
+  DiscreteProblem problem_;
+  TS ts_ = nullptr;
+  KSP ksp_ = nullptr;
+  Vec solution_ = nullptr, exact_values_ = nullptr, source_ = nullptr, residual_ = nullptr, rate_ = nullptr;
+  std::vector<PetscInt> held_;
+};
+
+}  // namespace scree::test
