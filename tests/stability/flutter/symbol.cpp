@@ -1,0 +1,138 @@
+#include "symbol.hpp"
+
+#include <slepceps.h>
+
+namespace scree::test {
+
+namespace {
+
+constexpr int cells = 15, middle = 7;
+/// Relative slope of nu, T and chi, so that limiters see the smooth side; too small for anything else.
+constexpr double slight = 1e-7;
+
+double base_value(const BaseState& base, double chi, const Field& field, const Index& I) {
+  std::array<double, 2> x{};
+  for (int a = 0; a < 2; ++a) x[a] = (I[a] - middle + (field.face_axis == a ? -0.5 : 0.0)) * base.cell[a];
+  const double slope = 1 + slight * (x[0] / base.cell[0] + 0.7 * x[1] / base.cell[1]);
+  if (field.symbol == "nu") return base.nu * slope;
+  if (field.symbol == "T") return base.T * slope;
+  if (field.symbol == "chi") return chi * slope;
+  const auto& g = base.gradient[static_cast<std::size_t>(field.face_axis)];
+  return base.velocity[field.face_axis] + g[0] * x[0] + g[1] * x[1];
+}
+
+Box box_of(const BaseState& base) {
+  Box box;
+  box.dim = 2;
+  for (int a = 0; a < 2; ++a) box.faces[a] = uniform_faces(cells, base.cell[a]);
+  return box;
+}
+
+}  // namespace
+
+Symbol::Symbol(const ProblemSetup& parameters, const BaseState& base) {
+  ProblemSetup setup = parameters;
+  setup.box = box_of(base);
+  setup.segments = all_sides(setup.box, condition(BoundaryKind::open));
+  const FrictionParameters& friction = setup.solids.friction;
+  const double chi = chi_star(base.div_v(), fluctuating_strain_rate(base.S_S(), base.T, friction), friction);
+  Evaluation problem(PETSC_COMM_SELF, setup);
+  unknowns_ = problem.unknowns();
+  chi_ = problem.component("chi");
+  const Values state =
+      problem.values([&](const Field& field, const Index& I) { return base_value(base, chi, field, I); });
+  state_ = rows(problem, state, 0);
+  rate_ = rows(problem, state, 1);
+  for (auto& [place, value] : rate_) {
+    const auto same = state_.find(place);
+    if (same != state_.end()) value -= same->second;
+  }
+}
+
+Symbol::Stencil Symbol::rows(Evaluation& problem, const Values& state, double shift) const {
+  Stencil stencil;
+  problem.assemble(state, problem.zeros(), shift);
+  const int nodes = problem.nodes()[0];
+  const auto node = [&](int natural) {
+    const int n = natural / unknowns_;
+    return std::array<int, 2>{n % nodes, n / nodes};
+  };
+  problem.each_entry([&](int row, int column, double value) {
+    const auto at = node(row), from = node(column);
+    if (at[0] != middle || at[1] != middle || value == 0) return;
+    stencil[{row % unknowns_, column % unknowns_, from[0] - at[0], from[1] - at[1]}] += value;
+  });
+  return stencil;
+}
+
+Matrix Symbol::transformed(const Stencil& stencil, const std::array<double, 2>& kh) const {
+  Matrix result(unknowns_);
+  for (const auto& [place, value] : stencil)
+    result(place[0], place[1]) += value * std::exp(Complex(0, kh[0] * place[2] + kh[1] * place[3]));
+  return result;
+}
+
+namespace {
+
+/// B^-1 A, by elimination with pivots.
+Matrix quotient(Matrix B, Matrix A) {
+  const int n = B.size;
+  for (int k = 0; k < n; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < n; ++i)
+      if (std::abs(B(i, k)) > std::abs(B(pivot, k))) pivot = i;
+    for (int j = 0; j < n; ++j) {
+      std::swap(B(k, j), B(pivot, j));
+      std::swap(A(k, j), A(pivot, j));
+    }
+    for (int i = 0; i < n; ++i) {
+      if (i == k) continue;
+      const Complex factor = B(i, k) / B(k, k);
+      for (int j = 0; j < n; ++j) {
+        B(i, j) -= factor * B(k, j);
+        A(i, j) -= factor * A(k, j);
+      }
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) A(i, j) /= B(i, i);
+  return A;
+}
+
+}  // namespace
+
+std::vector<Complex> eigenvalues(const Matrix& A, const Matrix& B) {
+  const int n = A.size;
+  const Matrix C = quotient(B, A);
+  Mat real;  // [Re -Im; Im Re]: each eigenvalue and its conjugate
+  check(MatCreateSeqDense(PETSC_COMM_SELF, 2 * n, 2 * n, nullptr, &real));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      check(MatSetValue(real, i, j, C(i, j).real(), INSERT_VALUES));
+      check(MatSetValue(real, n + i, n + j, C(i, j).real(), INSERT_VALUES));
+      check(MatSetValue(real, i, n + j, -C(i, j).imag(), INSERT_VALUES));
+      check(MatSetValue(real, n + i, j, C(i, j).imag(), INSERT_VALUES));
+    }
+  check(MatAssemblyBegin(real, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(real, MAT_FINAL_ASSEMBLY));
+  EPS eps;
+  check(EPSCreate(PETSC_COMM_SELF, &eps));
+  check(EPSSetOperators(eps, real, nullptr));
+  check(EPSSetProblemType(eps, EPS_NHEP));
+  check(EPSSetType(eps, EPSLAPACK));
+  check(EPSSetDimensions(eps, 2 * n, PETSC_DEFAULT, PETSC_DEFAULT));
+  check(EPSSolve(eps));
+  PetscInt found;
+  check(EPSGetConverged(eps, &found));
+  std::vector<Complex> values;
+  for (PetscInt k = 0; k < found; ++k) {
+    double real_part, imaginary_part;
+    check(EPSGetEigenvalue(eps, k, &real_part, &imaginary_part));
+    values.emplace_back(real_part, imaginary_part);
+  }
+  check(EPSDestroy(&eps));
+  check(MatDestroy(&real));
+  return values;
+}
+
+}  // namespace scree::test
