@@ -5,7 +5,7 @@
 #include <string>
 
 #include "jet.hpp"
-#include "scree/boundary/segment.hpp"
+#include "scree/boundary/barriers.hpp"
 
 namespace scree::test {
 
@@ -41,6 +41,11 @@ struct ExactFields {
   bool tests_side = false;
   BoundaryKind kind = BoundaryKind::symmetry;
   double gas_inflow = 0.3;  ///< superficial velocity through that side, where it brings gas [m/s]
+  /// Normal gradients on a wall of Johnson & Jackson, such that (25) and (26) hold there [1/s, m/s2].
+  double shear_at_wall = 0, T_gradient_at_wall = 0;
+  bool nu_varies_at_wall = false;  ///< whether nu and chi have a normal gradient there
+  bool darcy = false;              ///< gas darcy: p_g has the normal gradient that the flow through the side asks for
+  static constexpr double inlet_gradient = -500;  ///< of p_g there, where gas comes in [Pa/m]
 
   Point at(const std::array<double, max_dim>& x, double time) const {
     std::array<Jet, Jet::axes> X;
@@ -57,12 +62,18 @@ struct ExactFields {
       std::array<double, 4> wave{.25, .3, .2, .4};
       wave[a] = .7;
       const bool normal = tests_side && a == 1;
-      const double base = normal && is(BoundaryKind::open) ? -fast : a == 0 ? .8 * fast : fast - 1.5 * fast * (a == 2);
+      const double base = v_base(a, normal);
       q.v[a] = field(X, wave, .1, base, V, v_shape(normal));
       wave[a] = .5;
       q.u[a] = field(X, wave, .15, u_base(a, normal), .06, u_shape(normal));
     }
-    if (tests_side && is(BoundaryKind::gas_inlet)) q.u[1] = Jet(gas_inflow) * reciprocal(Jet(1) - q.nu) + q.u[1];
+    if (is(BoundaryKind::wall_johnson_jackson)) {
+      const Jet distance = X[1] * Jet(length);
+      q.T = q.T + Jet(T_gradient_at_wall) * distance;
+      for (int a = 0; a < dim; ++a) q.v[a] = q.v[a] + Jet(a == 1 ? 1.5 * V / length : shear_at_wall) * distance;
+    }
+    if (tests_side && darcy && brings_gas(kind)) q.p = q.p + Jet(inlet_gradient * length) * X[1];
+    if (is(BoundaryKind::gas_inlet)) q.u[1] = Jet(gas_inflow) * reciprocal(Jet(1) - q.nu) + q.u[1];
     return q;
   }
 
@@ -71,30 +82,31 @@ struct ExactFields {
 
  private:
   bool is(BoundaryKind k) const { return tests_side && kind == k; }
-  bool is_wall_kind() const {
-    return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_free_slip ||
-           kind == BoundaryKind::wall_no_slip;
-  }
 
   Shape nu_shape() const {
     if (is(BoundaryKind::symmetry) || is(BoundaryKind::open)) return Shape::even;
-    return is(BoundaryKind::inlet) ? Shape::held : Shape::plain;
+    const bool constant =
+        is(BoundaryKind::inlet) || is(BoundaryKind::wall_johnson_jackson) || (is(BoundaryKind::gas_inlet) && darcy);
+    if (is(BoundaryKind::wall_johnson_jackson) && !nu_varies_at_wall) return Shape::flat;
+    return constant ? Shape::held : Shape::plain;
   }
   Shape chi_shape() const { return nu_shape(); }
   Shape T_shape() const {
-    if (is(BoundaryKind::inlet)) return Shape::flat;
-    return !tests_side || is(BoundaryKind::wall_johnson_jackson) ? Shape::plain : Shape::even;
+    if (is(BoundaryKind::inlet) || is(BoundaryKind::wall_johnson_jackson)) return Shape::flat;
+    return tests_side ? Shape::even : Shape::plain;
   }
   Shape p_shape() const {
     if (is(BoundaryKind::symmetry)) return Shape::even;
-    return is(BoundaryKind::open) ? Shape::held : Shape::plain;
+    if (is(BoundaryKind::open)) return Shape::held;
+    if (!tests_side || !darcy) return Shape::plain;
+    return brings_gas(kind) ? Shape::flat : Shape::even;
   }
   Shape v_shape(bool normal) const {
     if (!tests_side) return Shape::plain;
     if (is(BoundaryKind::inlet)) return normal ? Shape::held : Shape::flat;
     if (is(BoundaryKind::open)) return normal ? Shape::flat : Shape::even;  // and so no shear
+    if (is(BoundaryKind::wall_johnson_jackson)) return Shape::flat;
     if (normal) return Shape::odd;
-    if (is(BoundaryKind::wall_johnson_jackson)) return Shape::plain;
     return is(BoundaryKind::wall_no_slip) ? Shape::held : Shape::even;
   }
   Shape u_shape(bool normal) const {
@@ -103,6 +115,12 @@ struct ExactFields {
     if (is(BoundaryKind::inlet) || is(BoundaryKind::gas_inlet)) return Shape::held;
     if (normal) return Shape::odd;
     return is(BoundaryKind::symmetry) ? Shape::even : Shape::plain;
+  }
+  double v_base(int axis, bool normal) const {
+    if (is(BoundaryKind::wall_johnson_jackson))
+      return normal ? 0 : .012;  // slip works about as much as collisions take
+    if (normal && is(BoundaryKind::open)) return -fast;
+    return axis == 0 ? .8 * fast : axis == 1 ? fast : -.5 * fast;
   }
   double u_base(int axis, bool normal) const {
     if (is(BoundaryKind::inlet)) return normal ? gas_inflow / (1 - .565) : 0;

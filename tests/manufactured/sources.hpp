@@ -63,32 +63,35 @@ class StrongForm {
     return r;
   }
 
-  /// By how much the wall law of (25) exceeds the shear stress of the exact fields, tangential axis t, the wall lying
-  /// below along axis 1 [Pa].
-  double excess_traction(int t, const WallParameters& wall) const {
-    double slip_squared = 0;
-    for (int a = 0; a < dim_; ++a)
-      if (a != 1) slip_squared += q_.v[a].value * q_.v[a].value;
+  /// Normal gradient of slip with which shear brings what the wall law (25) takes, axis 1 pointing from the wall [1/s].
+  double shear_of_wall_law(const WallParameters& wall) const {
+    const double slip = std::sqrt(slip_speed_squared());
     const double S_nn = strain(1, 1).value - div_v_.value / 3;
     const double N =
         closure_[CellClosure::frictional_pressure].value - 2 * closure_[CellClosure::frictional_viscosity].value * S_nn;
-    const double c = wall_traction_coefficient(q_.nu.value, closure_[CellClosure::sqrt_temperature].value, N,
-                                               slip_squared, solids_.kinetic, wall);
-    return c * q_.v[t].value + stress(t, 1).value;
+    return slip / closure_[CellClosure::viscosity].value *
+           wall_traction_coefficient(q_.nu.value, closure_[CellClosure::sqrt_temperature].value, N, slip * slip,
+                                     solids_.kinetic, wall);
   }
-  /// By how much the flux of (26) exceeds that of the exact fields [W/m2].
-  double excess_heat(const WallParameters& wall) const {
-    double slip_squared = 0;
-    for (int a = 0; a < dim_; ++a)
-      if (a != 1) slip_squared += q_.v[a].value * q_.v[a].value;
-    return wall_heat_flux(q_.nu.value, closure_[CellClosure::temperature].value,
-                          closure_[CellClosure::sqrt_temperature].value, slip_squared, solids_.kinetic, wall) -
-           heat_flux(1).value;
+  /// Normal gradient of T with which conduction brings what (26) takes [m/s2].
+  double T_gradient_of_wall_law(const WallParameters& wall) const {
+    const double kappa = face_conductivity(q_.nu.value, q_.T.value, slip_squared_.value, solids_);
+    return -wall_heat_flux(q_.nu.value, closure_[CellClosure::temperature].value,
+                           closure_[CellClosure::sqrt_temperature].value, slip_speed_squared(), solids_.kinetic, wall) /
+           kappa;
   }
 
  private:
   bool has_gas() const { return solids_.gas.model != GasModel::none; }
   bool has_u() const { return solids_.gas.model == GasModel::incompressible; }
+
+  /// Relative to a wall at rest across axis 1.
+  double slip_speed_squared() const {
+    double sum = 0;
+    for (int a = 0; a < dim_; ++a)
+      if (a != 1) sum += q_.v[a].value * q_.v[a].value;
+    return sum;
+  }
 
   double material(const Jet& f, const std::array<Jet, max_dim>& velocity) const {
     double rate = f.first[3];

@@ -41,4 +41,50 @@ Number wall_heat_flux(const Number& nu, const Number& T, const Number& sqrt_T, c
          (wall.specularity * slip_speed_squared - 1.5 * (1 - wall.e_w * wall.e_w) * T);
 }
 
+// ---- from the centre of the cell beside a wall to the wall ----
+
+/// Slip at the wall over slip at a distance from it (0 to 1): what (25) takes, c w, is what shear brings across the
+/// distance, k (s - w), with k = viscosity/distance [kg/(m2 s)]. s = slip at the distance, its square given;
+/// `collisions` = specularity times wall_collision_rate. By Newton's method from 0, where it comes up to the root.
+template <class Number>
+Number wall_slip_share(const Number& k, const Number& N, const Number& collisions, const Number& slip_speed_squared,
+                       const WallParameters& wall) {
+  const double tangent = std::tan(wall.delta), v_e_squared = wall.slip_regularisation * wall.slip_regularisation;
+  const auto excess = [&](const auto& share, const auto& k_, const auto& N_, const auto& collisions_, const auto& s2) {
+    return share * (tangent * N_ / sqrt(share * share * s2 + v_e_squared) + collisions_) - k_ * (1.0 - share);
+  };
+  Dual<1> share = Dual<1>::variable(0, 0), f;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    f = excess(share, value_of(k), value_of(N), value_of(collisions), value_of(slip_speed_squared));
+    if (!(f.derivative[0] > 0)) return Number(1.0);  // neither wall nor shear does anything
+    const double step = -f.value / f.derivative[0];
+    share.value += step;
+    if (!(std::abs(step) > 1e-15)) break;
+  }
+  return share.value - excess(Number(share.value), k, N, collisions, slip_speed_squared) / f.derivative[0];
+}
+
+/// sqrt(T) at the wall such that (26) is what conduction brings across a distance [m/s], from sqrt(T) there. With a
+/// conductivity kappa_0 sqrt(T) the flux is 2/3 kappa_0 (T_w^(3/2) - T^(3/2))/distance: a cubic with one positive root,
+/// which Newton's method reaches from above. `slip_speed_squared` is that at the wall.
+template <class Number>
+Number wall_sqrt_temperature(const Number& nu, const Number& sqrt_T, const Number& kappa_0,
+                             const Number& slip_speed_squared, double distance, const KineticParameters& kinetic,
+                             const WallParameters& wall) {
+  const Number rate = distance * wall_collision_rate(nu, Number(1.0), kinetic, wall), conduction = 2.0 / 3 * kappa_0;
+  const Number A = conduction + 1.5 * (1 - wall.e_w * wall.e_w) * rate;
+  const Number B = wall.specularity * slip_speed_squared * rate;
+  const Number C = conduction * sqrt_T * sqrt_T * sqrt_T;
+  const double a = value_of(A), b = value_of(B), c = value_of(C);
+  if (!(c > 0)) return sqrt_T;  // nothing conducts
+  double x = std::sqrt(b / a) + std::cbrt(c / a), slope = 0;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    slope = 3 * a * x * x - b;
+    const double step = (a * x * x * x - b * x - c) / slope;
+    x -= step;
+    if (!(std::abs(step) > 1e-15 * x)) break;
+  }
+  return x - (A * (x * x * x) - B * x - C) / slope;
+}
+
 }  // namespace scree

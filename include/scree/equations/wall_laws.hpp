@@ -88,31 +88,67 @@ struct WallLaws {
     r[2 * t + side] += share * stress / scene.axis(axis).width(I[axis]);
   }
 
+  /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and
+  /// wall_sqrt_temperature lead there. nu and the normal stress are those of the cell.
   template <class Number, class Strain, std::size_t count>
   static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis,
                               const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
                               std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
+    const double width = scene.axis(axis).width(I[axis]);
     const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
-    const Number N = p_f - 2.0 * mu_f * strain.S(axis);
-    Number mean_slip_squared(0.0);
-    for (int t = 0; t < L::dim; ++t) {
-      if (t == axis) continue;
-      for (int side = 0; side < 2; ++side) {
-        const Number speed_squared = slip_speed_squared<Number>(q, wall, axis, t, side);
+    const Number N = p_f - 2.0 * mu_f * strain.S(axis), k = mu / (0.5 * width);
+    Number sqrt_T_wall = sqrt_T;
+    if constexpr (L::has_T) {
+      const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, k, N, sqrt_T, wall);
+      sqrt_T_wall = at_wall;
+      r[T_row] -= heat / width;
+    }
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side) {
         const Number c = through(
-            [&](const auto& nu_, const auto& sqrt_T_, const auto& N_, const auto& slip_squared) {
-              return wall_traction_coefficient(nu_, sqrt_T_, N_, slip_squared, kinetic, wall.wall);
+            [&](const auto& nu_, const auto& sqrt_T_, const auto& N_, const auto& k_, const auto& slip_squared) {
+              const auto collisions = wall.wall.specularity * wall_collision_rate(nu_, sqrt_T_, kinetic, wall.wall);
+              const auto share = wall_slip_share(k_, N_, collisions, slip_squared, wall.wall);
+              return share *
+                     wall_traction_coefficient(nu_, sqrt_T_, N_, share * share * slip_squared, kinetic, wall.wall);
             },
-            q(L::nu), sqrt_T, N, speed_squared);
+            q(L::nu), sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
+        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
+      }
+  }
+
+  /// {sqrt(T) at the wall, heat flux from it (26)}, with the mean of the slip over the cell.
+  template <class Number>
+  static std::array<Number, 2> heat_from_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
+                                              int axis, const Number& k, const Number& N, const Number& sqrt_T,
+                                              const Condition& wall) {
+    Number mean_slip_squared(0.0);
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side) {
         const Number component = slip(q, wall, t, side);
-        add_stress(scene, I, axis, t, side, Number(c * component), r);
         mean_slip_squared += 0.5 * (component * component);
       }
-    }
-    if constexpr (L::has_T)
-      r[T_row] -=
-          wall_heat_flux(q(L::nu), T, sqrt_T, mean_slip_squared, kinetic, wall.wall) / scene.axis(axis).width(I[axis]);
+    const KineticParameters& kinetic = scene.solids.kinetic;
+    const double distance = 0.5 * scene.axis(axis).width(I[axis]);
+    const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
+    const Number kappa = through([&](const auto& nu_, const auto& T_,
+                                     const auto& slip_) { return face_conductivity(nu_, T_, slip_, scene.solids); },
+                                 q(L::nu), q(L::T), gas_slip_squared);
+    return through(
+        [&](const auto& nu_, const auto& sqrt_T_, const auto& kappa_, const auto& k_, const auto& N_,
+            const auto& slip_squared) {
+          using Inner = std::decay_t<decltype(nu_)>;
+          const Inner collisions = wall.wall.specularity * wall_collision_rate(nu_, sqrt_T_, kinetic, wall.wall);
+          const Inner share = wall_slip_share(k_, N_, collisions, slip_squared, wall.wall);
+          const Inner at_wall_squared = share * share * slip_squared;
+          const Inner at_wall = wall_sqrt_temperature(nu_, sqrt_T_, Inner(kappa_ / sqrt_T_), at_wall_squared, distance,
+                                                      kinetic, wall.wall);
+          const Inner heat =
+              wall_heat_flux(nu_, Inner(at_wall * at_wall), at_wall, at_wall_squared, kinetic, wall.wall);
+          return std::array<Inner, 2>{at_wall, heat};
+        },
+        q(L::nu), sqrt_T, kappa, k, N, mean_slip_squared);
   }
 
   template <class Number, std::size_t count>

@@ -1,5 +1,5 @@
-/// H15: every closure that the balances and the walls call, at all edges of its arguments at once, for every combination
-/// of models: values and derivatives are finite, and what cannot be negative is not.
+/// H15: every closure that the balances and the walls call, at all edges of its arguments at once, for every
+/// combination of models: values and derivatives are finite, and what cannot be negative is not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ const std::vector<Floors> floors = {{1e-14, 1e-4}, {1e-24, 1e-10}};
 
 template <class Visit>
 void for_each_model(const Visit& visit) {
-  for (FrictionModel friction : {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous,
-                                 FrictionModel::relaxed})
+  for (FrictionModel friction :
+       {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
     for (bool fluctuation : {true, false})
       for (TemperatureModel temperature :
            {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
@@ -69,8 +69,7 @@ std::string list(const std::array<double, m>& x) {
 template <std::size_t m>
 std::array<Dual<static_cast<int>(m)>, m> seeded(const std::array<double, m>& x) {
   std::array<Dual<static_cast<int>(m)>, m> result;
-  for (std::size_t i = 0; i < m; ++i)
-    result[i] = Dual<static_cast<int>(m)>::variable(x[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < m; ++i) result[i] = Dual<static_cast<int>(m)>::variable(x[i], static_cast<int>(i));
   return result;
 }
 
@@ -99,10 +98,9 @@ TEST(Edges, StressAndSourcesOfACell) {
       const auto y = cell_closure(q[0], q[1], q[2], q[3], q[4], q[5], p);
       for (std::size_t r = 0; r < y.size(); ++r)
         if (!finite(y[r])) ADD_FAILURE() << "entry " << r << ", " << describe(p) << ", at" << list(x);
-      for (CellClosure::Entry r :
-           {CellClosure::viscosity, CellClosure::chi_star, CellClosure::frictional_pressure,
-            CellClosure::frictional_viscosity, CellClosure::temperature, CellClosure::sqrt_temperature,
-            CellClosure::drag, CellClosure::drag_over_nu})
+      for (CellClosure::Entry r : {CellClosure::viscosity, CellClosure::chi_star, CellClosure::frictional_pressure,
+                                   CellClosure::frictional_viscosity, CellClosure::temperature,
+                                   CellClosure::sqrt_temperature, CellClosure::drag, CellClosure::drag_over_nu})
         if (!(y[r].value >= 0)) ADD_FAILURE() << "entry " << r << " < 0, " << describe(p) << ", at" << list(x);
       if (p.gas.model != GasModel::none && !(y[CellClosure::drag_over_nu].value > 0))
         ADD_FAILURE() << "no drag on single particles, " << describe(p) << ", at" << list(x);
@@ -151,7 +149,8 @@ TEST(Edges, WallLaws) {
                 const auto c = wall_traction_coefficient(q[0], sqrt_T, q[2], q[3], kinetic, wall);
                 const auto heat = wall_heat_flux(q[0], q[1], sqrt_T, q[3], kinetic, wall);
                 if (!finite(c) || !(c.value >= 0) || !finite(heat))
-                  ADD_FAILURE() << c.value << ", " << heat.value << ", specularity " << specularity << ", at" << list(x);
+                  ADD_FAILURE() << c.value << ", " << heat.value << ", specularity " << specularity << ", at"
+                                << list(x);
               }
 }
 

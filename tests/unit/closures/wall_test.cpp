@@ -72,6 +72,67 @@ TEST(Wall, DerivativesMatchDifferences) {
                                         "nu " + std::to_string(nu) + " slip " + std::to_string(slip));
 }
 
+/// {share of the slip, sqrt(T)} at the wall of x = (nu, sqrt(T), N, slip squared, k, kappa_0).
+struct AtWall {
+  static constexpr double distance = 5e-4;
+  template <class Number>
+  std::array<Number, 2> operator()(const std::array<Number, 6>& x) const {
+    const WallParameters wall;
+    const Number collisions = wall.specularity * wall_collision_rate(x[0], x[1], kinetic, wall);
+    return {wall_slip_share(x[4], x[2], collisions, x[3], wall),
+            wall_sqrt_temperature(x[0], x[1], x[5], x[3], distance, kinetic, wall)};
+  }
+};
+
+// What the wall takes is what shear and conduction bring across the distance; the extremes are a wall that holds on and
+// one that does nothing.
+TEST(AtWall, BalancesTheFluxes) {
+  const WallParameters wall;
+  for (const double nu : {.1, .58, .64})
+    for (const double T : {1e-10, 1e-4, 1e-2})
+      for (const double N : {0., 80., 1e5})
+        for (const double slip : {1e-4, .05, 2.}) {
+          const double root = std::sqrt(T), kappa_0 = conductivity(nu, 1.0, kinetic);
+          const double k = shear_viscosity(nu, root, kinetic) / AtWall::distance;
+          const auto [share, root_T] = AtWall{}(std::array<double, 6>{nu, root, N, slip * slip, k, kappa_0});
+          const double w = share * slip;
+          EXPECT_GT(share, 0);
+          EXPECT_LE(share, 1);
+          const double taken = w * (wall_traction_coefficient(nu, root, N, w * w, kinetic, wall));
+          EXPECT_NEAR(taken, k * (slip - w), 1e-9 * k * slip);
+          const double heat = wall_heat_flux(nu, root_T * root_T, root_T, slip * slip, kinetic, wall);
+          const double conducted = 2. / 3 * kappa_0 * (std::pow(root_T, 3) - std::pow(root, 3)) / AtWall::distance;
+          EXPECT_NEAR(heat, conducted, 1e-9 * kappa_0 * std::pow(root_T + root, 3) / AtWall::distance);
+        }
+}
+
+TEST(AtWall, DerivativesMatchDifferences) {
+  for (const double nu : {.1, .58})
+    for (const double slip : {1e-3, .05}) {
+      const double k = shear_viscosity(nu, .01, kinetic) / AtWall::distance, kappa_0 = conductivity(nu, 1.0, kinetic);
+      const std::array<double, 6> x{nu, .01, 80, slip * slip, k, kappa_0};
+      testing::expect_derivatives_match(AtWall{}, x, {.65 - nu < nu ? .65 - nu : nu, .01, 80, slip * slip, k, kappa_0},
+                                        "nu " + std::to_string(nu) + " slip " + std::to_string(slip));
+    }
+}
+
+TEST(AtWall, FiniteAtTheEdges) {  // H15; no viscosity: the wall takes nothing
+  using D = Dual<6>;
+  for (const double nu : {0.0, 1e-12, .65 - 1e-9})
+    for (const double root : {1e-7, .01})
+      for (const double slip2 : {0.0, 1e-20, 1.0})
+        for (const double N : {0.0, 1e8})
+          for (const double k : {0.0, 1e-30, 1e9})
+            for (const double kappa_0 : {0.0, 1e-20, 10.0}) {
+              const std::array<double, 6> x{nu, root, N, slip2, k, kappa_0};
+              std::array<D, 6> seeded;
+              for (int i = 0; i < 6; ++i) seeded[i] = D::variable(x[i], i);
+              std::ostringstream state;
+              state << "nu " << nu << " root " << root << " slip2 " << slip2 << " N " << N << " k " << k;
+              for (const D& y : AtWall{}(seeded)) testing::expect_finite(y, state.str());
+            }
+}
+
 TEST(Wall, FiniteAtTheEdges) {  // H15
   using D = Dual<4>;
   for (double nu : {0.0, 1e-12, .65 - 1e-9})

@@ -112,8 +112,11 @@ TEST(WallTraction, OfUnequalCellsIsWeightedByTheirShares) {
     const double below = problem.lattice().axes[along].lower_share(3), width = problem.lattice().axes[across].width(0);
     const double sqrt_T = std::sqrt(rough.solids.temperature_value + rough.solids.temperature_floor);
     const auto c = [&](int i) {
-      return wall_traction_coefficient(nu(i), sqrt_T, 0.0, v * v, rough.solids.kinetic,
-                                       rough.segments[0].condition.wall);
+      // only collisions: c w = k (v - w) with k the viscosity over half the cell
+      const double collisions =
+          wall_traction_coefficient(nu(i), sqrt_T, 0.0, 0.0, rough.solids.kinetic, rough.segments[0].condition.wall);
+      const double k = shear_viscosity(nu(i), sqrt_T, rough.solids.kinetic) / (0.5 * width);
+      return collisions * k / (collisions + k);
     };
     const double expected = (below * c(2) + (1 - below) * c(3)) * v / width * momentum_scale(rough);
     const int row = problem.at(1 + along, cell);
