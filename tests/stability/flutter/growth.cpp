@@ -1,137 +1,196 @@
-/// H8: growth rates of waves about base states, for each way of treating chi, as a table (growth.csv): what the model
-/// says (time continuous), and what a segregated treatment makes of it (chi from the state before the step).
+/// H8: growth of waves about base states, as two tables. What the model says, continuous in time with friction coupled
+/// (rates against wave number), and what a segregated treatment makes of it, which takes chi from the state before the
+/// step (factors per step against dt and tau).
 ///
-///     flutter_growth [-table growth.csv]
+///     flutter_growth [-rates rates.csv] [-steps steps.csv] [-given 0.6,1e-6,0,-.12,.01,.02,.02,.01,1e-3,2e-3]
+///
+/// `-given`: nu, T [m2/s2], v_x, v_y [m/s], dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy [1/s], cell sizes [m] of the only base
+/// state instead of the four built in.
 #include <slepcsys.h>
 
 #include <cstdio>
+#include <functional>
 
 #include "symbol.hpp"
 
 namespace scree::test {
 namespace {
 
-constexpr int angles = 24;
-const std::vector<double> wave_numbers{0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, pi};
-const std::vector<double> taus{1e-4, 1e-3, 1e-2, 1e-1};
+using Wave = std::array<double, 2>;  ///< phase from cell to cell along x and y
 
-/// A way of treating chi.
-struct Treatment {
-  std::string name;
-  FrictionModel model;
-  double tau = 1e-3;
-  bool lagged = false;
-  double dt = 0;  ///< of a lagged treatment; 0: continuous in time [s]
-};
+const std::vector<AdvectionScheme> schemes{AdvectionScheme::upwind, AdvectionScheme::van_albada};
 
-std::vector<Treatment> treatments() {
-  std::vector<Treatment> list{{"none", FrictionModel::none},
-                              {"critical_state", FrictionModel::critical_state},
-                              {"instantaneous", FrictionModel::instantaneous}};
-  for (const double tau : taus) list.push_back({"relaxed", FrictionModel::relaxed, tau});
-  for (const double dt : {1e-6, 1e-5, 1e-4, 1e-3}) {
-    list.push_back({"lagged instantaneous", FrictionModel::relaxed, 0, true, dt});
-    for (const double tau : taus) list.push_back({"lagged relaxed", FrictionModel::relaxed, tau, true, dt});
-  }
-  return list;
-}
+const char* name_of(AdvectionScheme scheme) { return scheme == AdvectionScheme::upwind ? "upwind" : "van_albada"; }
 
-ProblemSetup setup_of(const Treatment& t, AdvectionScheme scheme, const BaseState& base) {
-  Box box = uniform_box(2, {4, 4, 1});
-  ProblemSetup setup = sample_setup(box, t.model, TemperatureModel::transport, scheme);
+ProblemSetup setup_of(FrictionModel model, double tau, AdvectionScheme scheme) {
+  ProblemSetup setup = sample_setup(uniform_box(2, {4, 4, 1}), model, TemperatureModel::transport, scheme);
   setup.model.gravity = {0, -9.81, 0};
-  setup.solids.friction.tau = t.tau > 0 ? t.tau : 1e-3;
-  setup.solids.friction.lagged = t.lagged;
-  (void)base;
+  setup.solids.friction.tau = tau;
   return setup;
 }
 
-/// Growth rates of all waves about one base state with one treatment.
-class Growth {
+/// Waves of the model as it is, continuous in time.
+class Waves {
  public:
-  Growth(const Treatment& t, AdvectionScheme scheme, const BaseState& base)
-      : treatment_(t), symbol_(setup_of(t, scheme, base), base) {
-    if (!t.lagged) return;
-    for (const double tau : {1e-3, 2e-3}) {  // two times of relaxation tell chi* from the rest of its row
-      Treatment free{"", FrictionModel::relaxed, tau};
-      free_.push_back(Symbol(setup_of(free, scheme, base), base));
-    }
-  }
+  Waves(FrictionModel model, double tau, AdvectionScheme scheme, const BaseState& base)
+      : symbol_(setup_of(model, tau, scheme), base) {}
 
-  /// Of the fastest growing wave exp(i k.x) [1/s].
-  double rate(const std::array<double, 2>& kh) const {
+  /// Growth rate of the fastest growing wave of this phase [1/s].
+  double rate(const Wave& kh) const {
+    Matrix A = symbol_.state_part(kh);
+    for (Complex& entry : A.entry) entry = -entry;
     double greatest = -1e300;
-    if (!treatment_.lagged) {
-      Matrix A = symbol_.state_part(kh);
-      for (Complex& entry : A.entry) entry = -entry;
-      for (const Complex& lambda : eigenvalues(A, symbol_.rate_part(kh))) greatest = std::max(greatest, lambda.real());
-      return greatest;
-    }
-    double most = 0;
-    Matrix after = symbol_.state_part(kh), before = symbol_.rate_part(kh);
-    for (std::size_t k = 0; k < after.entry.size(); ++k) {
-      before.entry[k] /= treatment_.dt;
-      after.entry[k] += before.entry[k];
-    }
-    for (const Complex& factor : eigenvalues(with_new_chi(before, kh), after)) most = std::max(most, std::abs(factor));
-    return std::log(most) / treatment_.dt;
+    for (const Complex& lambda : eigenvalues(A, symbol_.rate_part(kh))) greatest = std::max(greatest, lambda.real());
+    return greatest;
   }
 
  private:
-  /// before * P, P being what the lagged step does to chi before it solves for the rest.
-  Matrix with_new_chi(const Matrix& before, const std::array<double, 2>& kh) const {
-    const int n = before.size, chi = symbol_.chi();
-    const double share = treatment_.dt / (treatment_.dt + treatment_.tau);
-    const Matrix one = free_[0].state_part(kh), two = free_[1].state_part(kh), rate = free_[0].rate_part(kh);
+  Symbol symbol_;
+};
+
+/// Waves under backward Euler for all but chi, which moves towards chi* of the state before the step, first.
+class LaggedWaves {
+ public:
+  LaggedWaves(AdvectionScheme scheme, const BaseState& base)
+      : step_(lagged(scheme), base),
+        slow_(setup_of(FrictionModel::relaxed, 2 * tau_, scheme), base),
+        fast_(setup_of(FrictionModel::relaxed, tau_, scheme), base) {}
+
+  /// Greatest factor by which a wave of this phase grows in a step; tau = 0: `instantaneous`.
+  double factor(const Wave& kh, double tau, double dt) const {
+    Matrix after = step_.state_part(kh), before = step_.rate_part(kh);
+    for (std::size_t k = 0; k < after.entry.size(); ++k) {
+      before.entry[k] /= dt;
+      after.entry[k] += before.entry[k];
+    }
+    double most = 0;
+    for (const Complex& z : eigenvalues(with_new_chi(before, kh, dt / (dt + tau)), after))
+      most = std::max(most, std::abs(z));
+    return most;
+  }
+
+ private:
+  static ProblemSetup lagged(AdvectionScheme scheme) {
+    ProblemSetup setup = setup_of(FrictionModel::relaxed, tau_, scheme);
+    setup.solids.friction.lagged = true;
+    return setup;
+  }
+
+  /// before * P, where P replaces chi by chi + share (chi* - chi). chi* - chi is what two times of relaxation tell from
+  /// the rest of the row of chi.
+  Matrix with_new_chi(const Matrix& before, const Wave& kh, double share) const {
+    const int n = before.size, chi = step_.chi();
+    const Matrix fast = fast_.state_part(kh), slow = slow_.state_part(kh), rate = fast_.rate_part(kh);
     Matrix result = before;
     for (int j = 0; j < n; ++j) {
-      const Complex towards = -(one(chi, j) - two(chi, j)) / (rate(chi, chi) * (1 / 1e-3 - 1 / 2e-3));
+      const Complex towards = -(fast(chi, j) - slow(chi, j)) / (rate(chi, chi) * (0.5 / tau_));
       for (int i = 0; i < n; ++i) result(i, j) += before(i, chi) * share * towards;
     }
     return result;
   }
 
-  Treatment treatment_;
-  Symbol symbol_;
-  std::vector<Symbol> free_;
+  static constexpr double tau_ = 1e-3;
+  Symbol step_, slow_, fast_;
 };
 
-/// Plane shear with the granular temperature that it keeps up; the plug high up in the bin as it begins to dilate; the
-/// converging flow above the orifice. The last two are those of the bin on the paper's grid (1 mm particles).
-std::vector<BaseState> base_states() {
+// ---- tables ----
+
+/// Cells of the paper's grid, 1 mm particles: plane shear with the granular temperature that it keeps up; the plug high
+/// up in the bin as it dilates and as it compacts, slowly; the converging flow above the orifice.
+std::vector<BaseState> built_in() {
   const std::array<double, 2> h{1e-3, 2e-3};
   return {{"shear", .58, 1.1e-4, {.05, -.05}, {{{0, 10}, {0, 0}}}, h},
-          {"plug", .60, 1e-6, {0, -.12}, {{{.01, .02}, {.02, .01}}}, h},
+          {"plug dilating", .60, 1e-6, {0, -.12}, {{{.01, .02}, {.02, .01}}}, h},
           {"plug compacting", .60, 1e-6, {0, -.12}, {{{-.01, .02}, {.02, -.01}}}, h},
           {"orifice", .56, 4e-3, {-.05, -.4}, {{{-14, 10}, {8, 20}}}, h}};
 }
 
-void write_rows(std::FILE* file, const BaseState& base, const Treatment& t, AdvectionScheme scheme) {
-  const Growth growth(t, scheme, base);
-  for (const double kh : wave_numbers) {
-    double greatest = -1e300, angle = 0;
-    for (int k = 0; k < angles; ++k) {
-      const double theta = pi * k / angles;
-      const double rate = growth.rate({kh * std::cos(theta), kh * std::sin(theta)});
-      if (rate > greatest) greatest = rate, angle = theta;
+/// The greatest value over all directions of a wave whose phase along one axis is kh, and along the other at most that:
+/// pi reaches the corner, where neighbours along both axes alternate.
+double greatest_over_directions(double kh, const std::function<double(const Wave&)>& value) {
+  constexpr int parts = 4;
+  double greatest = -1e300;
+  for (int k = -parts; k <= parts; ++k) {
+    const double other = kh * k / parts;
+    greatest = std::max({greatest, value({kh, other}), value({other, kh})});
+  }
+  return greatest;
+}
+
+void rates_of(std::FILE* file, const BaseState& base) {
+  struct Treatment {
+    const char* name;
+    FrictionModel model;
+    double tau;
+  };
+  const std::vector<Treatment> treatments{{"none", FrictionModel::none, 1e-3},
+                                          {"critical_state", FrictionModel::critical_state, 1e-3},
+                                          {"instantaneous", FrictionModel::instantaneous, 1e-3},
+                                          {"relaxed", FrictionModel::relaxed, 1e-4},
+                                          {"relaxed", FrictionModel::relaxed, 1e-3},
+                                          {"relaxed", FrictionModel::relaxed, 1e-1}};
+  for (const Treatment& t : treatments)
+    for (const AdvectionScheme scheme : schemes) {
+      const Waves waves(t.model, t.tau, scheme, base);
+      for (const double kh : {.05, .1, .2, .4, .7, 1., 1.5, 2., 2.5, pi})
+        std::fprintf(file, "%s,%g,%s,%g,%s,%g,%.6g\n", base.name.c_str(), base.cell[0], t.name, t.tau, name_of(scheme),
+                     kh, greatest_over_directions(kh, [&](const Wave& wave) { return waves.rate(wave); }));
     }
-    std::fprintf(file, "%s,%g,%s,%g,%s,%g,%g,%g,%.6g\n", base.name.c_str(), base.cell[0], t.name.c_str(), t.tau,
-                 scheme == AdvectionScheme::upwind ? "upwind" : "van_albada", t.dt, kh, angle * 180 / pi, greatest);
+}
+
+void steps_of(std::FILE* file, const BaseState& base) {
+  const auto write = [&](AdvectionScheme scheme, const LaggedWaves& waves, double tau, double dt) {
+    double most = 0, at = 0;
+    for (const double kh : {pi / 8, pi / 4, pi / 2, pi}) {
+      const double factor = greatest_over_directions(kh, [&](const Wave& wave) { return waves.factor(wave, tau, dt); });
+      if (factor > most) most = factor, at = kh;
+    }
+    std::fprintf(file, "%s,%g,%s,%g,%g,%.6g,%g\n", base.name.c_str(), base.cell[0], name_of(scheme), tau, dt, most, at);
+  };
+  for (const AdvectionScheme scheme : schemes) {
+    const LaggedWaves waves(scheme, base);
+    for (const double tau : {0., 1e-4, 1e-3, 1e-2, 1e-1})
+      for (int half_decade = 0; half_decade <= 10; ++half_decade)
+        write(scheme, waves, tau, 1e-7 * std::pow(10, 0.5 * half_decade));
   }
 }
 
-void write_table(std::FILE* file) {
-  std::fprintf(file, "base,cell,treatment,tau,advection,dt,kh,angle,growth\n");
-  for (BaseState base : base_states())
-    for (const double refinement : {1., 2., 4., 8.}) {
-      BaseState refined = base;
-      for (double& size : refined.cell) size /= refinement;
-      for (const Treatment& t : treatments()) {
-        if (refinement > 1 && t.lagged) continue;
-        for (const AdvectionScheme scheme : {AdvectionScheme::upwind, AdvectionScheme::van_albada})
-          write_rows(file, refined, t, scheme);
-      }
-    }
+BaseState refined(BaseState base, double times) {
+  for (double& size : base.cell) size /= times;
+  return base;
+}
+
+std::vector<BaseState> base_states() {
+  std::array<double, 10> x;
+  int count = x.size();
+  PetscBool given;
+  check(PetscOptionsGetRealArray(nullptr, nullptr, "-given", x.data(), &count, &given));
+  if (!given) return built_in();
+  if (count != static_cast<int>(x.size())) throw std::runtime_error("-given: expected ten numbers");
+  return {{"given", x[0], x[1], {x[2], x[3]}, {{{x[4], x[5]}, {x[6], x[7]}}}, {x[8], x[9]}}};
+}
+
+/// The file that `option` names.
+std::FILE* opened(const char* option, const char* usual) {
+  char name[PETSC_MAX_PATH_LEN];
+  check(PetscStrncpy(name, usual, sizeof name));
+  check(PetscOptionsGetString(nullptr, nullptr, option, name, sizeof name, nullptr));
+  std::FILE* file = std::fopen(name, "w");
+  if (!file) throw std::runtime_error("cannot write " + std::string(name));
+  return file;
+}
+
+void write_tables() {
+  std::FILE* rates = opened("-rates", "rates.csv");
+  std::FILE* steps = opened("-steps", "steps.csv");
+  std::fprintf(rates, "base,cell,friction,tau,advection,kh,rate\n");
+  std::fprintf(steps, "base,cell,advection,tau,dt,factor,kh\n");
+  for (const BaseState& base : base_states()) {
+    for (const double times : {1., 4.}) rates_of(rates, refined(base, times));
+    steps_of(steps, base);
+  }
+  std::fclose(rates);
+  std::fclose(steps);
 }
 
 }  // namespace
@@ -139,14 +198,11 @@ void write_table(std::FILE* file) {
 
 int main(int argc, char** argv) {
   if (SlepcInitialize(&argc, &argv, nullptr, nullptr) != 0) return 1;
-  char name[PETSC_MAX_PATH_LEN] = "growth.csv";
-  (void)PetscOptionsGetString(nullptr, nullptr, "-table", name, sizeof name, nullptr);
-  std::FILE* file = std::fopen(name, "w");
-  if (!file) {
-    std::fprintf(stderr, "flutter_growth: cannot write %s\n", name);
+  try {
+    scree::test::write_tables();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "flutter_growth: %s\n", error.what());
     return 1;
   }
-  scree::test::write_table(file);
-  std::fclose(file);
   return SlepcFinalize() == 0 ? 0 : 1;
 }
