@@ -2,48 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <optional>
-
-#include "scree/config/input_error.hpp"
 
 namespace scree {
 
 namespace {
-
-/// Piecewise linear table, constant beyond its ends.
-class Table {
- public:
-  explicit Table(const std::string& file) {
-    std::ifstream in(file);
-    if (!in) throw InputError("initial table", file, "a readable file of lines 'coordinate solids_fraction' in SI");
-    for (std::string line; std::getline(in, line);) {
-      const auto start = line.find_first_not_of(" \t\r");
-      if (start == std::string::npos || line[start] == '#') continue;
-      std::replace(line.begin(), line.end(), ',', ' ');
-      std::size_t used = 0;
-      try {
-        x_.push_back(std::stod(line, &used));
-        y_.push_back(std::stod(line.substr(used)));
-      } catch (const std::exception&) {
-        throw InputError("initial table", file, "two numbers a line, got '" + line + "'");
-      }
-      if (x_.size() > 1 && x_.back() <= x_[x_.size() - 2])
-        throw InputError("initial table", file, "ascending coordinates, got '" + line + "'");
-    }
-    if (x_.empty()) throw InputError("initial table", file, "at least one line 'coordinate solids_fraction'");
-  }
-  double at(double x) const {
-    const auto after = std::upper_bound(x_.begin(), x_.end(), x) - x_.begin();
-    if (after == 0) return y_.front();
-    if (after == static_cast<std::ptrdiff_t>(x_.size())) return y_.back();
-    const double share = (x - x_[after - 1]) / (x_[after] - x_[after - 1]);
-    return y_[after - 1] + share * (y_[after] - y_[after - 1]);
-  }
-
- private:
-  std::vector<double> x_, y_;
-};
 
 /// The root of p_c(nu) (1 + loss/2) = carried + weight nu/2 in (nu_min, nu_max): p_c rises from 0 to infinity.
 double solids_fraction_under(double carried, double weight, double loss, const FrictionParameters& friction) {
@@ -67,7 +29,6 @@ class SolidsFraction {
  public:
   SolidsFraction(const InitialRegion& region, const Case& scene, const Lattice& grid)
       : region_(region), axis_(region.table_axis) {
-    if (!region.table.empty()) table_.emplace(region.table);
     if (region.profile != InitialRegion::Profile::equilibrium) return;
     axis_ = gravity_axis(scene.model.gravity);
     const double g = scene.model.gravity[axis_];
@@ -76,13 +37,13 @@ class SolidsFraction {
   }
   double at(const Lattice& grid, const Index& I) const {
     if (!column_.empty()) return column_[static_cast<std::size_t>(I[axis_])];
-    return table_ ? table_->at(grid.axes[axis_].centre(I[axis_])) : region_.solids_fraction;
+    if (region_.table.empty()) return region_.solids_fraction;
+    return region_.table_values.value(grid.axes[axis_].centre(I[axis_]));
   }
 
  private:
   const InitialRegion& region_;
   int axis_;
-  std::optional<Table> table_;
   std::vector<double> column_;
 };
 

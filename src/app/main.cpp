@@ -3,12 +3,12 @@
 
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "scree/app/simulation.hpp"
+#include "scree/config/case_files.hpp"
 #include "scree/config/read_case.hpp"
 
 namespace {
@@ -28,28 +28,6 @@ std::string case_file(int argc, char** argv) {
   return "";
 }
 
-/// The file that `file` names under a top-level key `based_on`, as a path; empty if there is none.
-std::string base_of(const std::string& file) {
-  const std::string key = "based_on:";
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.compare(0, key.size(), key) != 0) continue;
-    const auto first = line.find_first_not_of(" \t\"'", key.size());
-    const auto last = line.find_first_of(" \t\"'#\r", first);
-    const std::string name = first == std::string::npos ? "" : line.substr(first, last - first);
-    return std::filesystem::path(file).parent_path() / name;
-  }
-  return "";
-}
-
-/// `file` and what it is based on, the base of all first.
-std::vector<std::string> chain_of(std::string file) {
-  constexpr std::size_t longest = 20;  // a circle otherwise
-  std::vector<std::string> chain;
-  for (; !file.empty() && chain.size() < longest; file = base_of(file)) chain.insert(chain.begin(), file);
-  return chain;
-}
-
 int complain(const std::string& message) {
   int rank = 0, running = 0;
   MPI_Initialized(&running);
@@ -58,15 +36,62 @@ int complain(const std::string& message) {
   return 1;
 }
 
+/// Under -check: the case as understood, a YAML file that runs it.
+void print_case(const scree::Case& scene) {
+  for (const std::string& remark : scene.remarks) PetscPrintf(PETSC_COMM_WORLD, "# %s\n", remark.c_str());
+  PetscPrintf(PETSC_COMM_WORLD, "%s", scene.effective_yaml.c_str());
+}
+
+/// Options that look like those of PETSc's solvers, but no solver has asked for them: misspelt, or of another solver.
+void print_unused(const std::vector<std::string>& petsc_options) {
+  for (const std::string& key : petsc_options) {
+    bool of_solver = false;  // others may be asked for at the very end
+    for (const char* start : {"ts_", "snes_", "ksp_", "pc_", "mat_", "sub_", "mg_", "fieldsplit_", "inner_", "npc_"})
+      of_solver = of_solver || key.compare(0, std::strlen(start), start) == 0;
+    PetscBool used = PETSC_TRUE;
+    if (of_solver && PetscOptionsUsed(nullptr, key.c_str(), &used) == 0 && !used)
+      PetscPrintf(PETSC_COMM_WORLD, "%s is not used: PETSc has not asked for it\n", key.c_str());
+  }
+}
+
 int run_case() {
   try {
     const scree::Case scene = scree::read_case();
+    if (scene.check_only) {
+      print_case(scene);
+      return 0;
+    }
     for (const std::string& remark : scene.remarks) PetscPrintf(PETSC_COMM_WORLD, "%s\n", remark.c_str());
     scree::Simulation(PETSC_COMM_WORLD, scene).run();
+    print_unused(scene.petsc_options);
     return 0;
+  } catch (const std::bad_alloc&) {
+    return complain("the memory of this machine is too small for the case");
   } catch (const std::exception& error) {
     return complain(error.what());
   }
+}
+
+/// PETSc takes an argument that is no option for an unused one: the case file goes in as the third argument instead.
+/// Variants come after their base and before the command line, where -options_file_yaml stands.
+int run_files(int argc, char** argv, std::vector<std::string> files) {
+  std::string option = "-options_file_yaml";
+  std::vector<char*> options{argv[0]};
+  for (std::size_t k = 1; k < files.size(); ++k) options.insert(options.end(), {option.data(), files[k].data()});
+  for (int k = argv[1][0] == '-' ? 1 : 2; k < argc; ++k) options.push_back(argv[k]);
+  int count = static_cast<int>(options.size());
+  options.push_back(nullptr);
+  char** arguments = options.data();
+  PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
+  if (PetscInitialize(&count, &arguments, files.front().c_str(), nullptr)) {
+    std::string names = files.back();
+    for (std::size_t k = files.size() - 1; k-- > 0;) names += "' or '" + files[k];
+    return complain("case file '" + names + "': expected valid YAML");
+  }
+  PetscPopErrorHandler();
+  const int status = run_case();
+  PetscFinalize();
+  return status;
 }
 
 }  // namespace
@@ -80,32 +105,16 @@ int main(int argc, char** argv) {
     std::printf("%s", scree::option_table_markdown().c_str());
     return 0;
   }
-  std::vector<std::string> files = chain_of(case_file(argc, argv));
-  const std::string file = files.empty() ? "" : files.front();
+  const std::string file = case_file(argc, argv);
   MPI_Init(&argc, &argv);
   int status = 1;
   if (file.empty()) {
     complain("no case file: usage is scree CASE.yaml [-option value ...]");
-  } else if (!std::ifstream(file)) {
-    complain("case file '" + file + "': expected a readable YAML file");
   } else {
-    // PETSc takes an argument that is no option for an unused one: the case file goes in as the third argument instead.
-    // Variants come after their base and before the command line, where -options_file_yaml stands.
-    std::string option = "-options_file_yaml";
-    std::vector<char*> options{argv[0]};
-    for (std::size_t k = 1; k < files.size(); ++k) options.insert(options.end(), {option.data(), files[k].data()});
-    for (int k = argv[1][0] == '-' ? 1 : 2; k < argc; ++k) options.push_back(argv[k]);
-    int count = static_cast<int>(options.size());
-    options.push_back(nullptr);
-    char** arguments = options.data();
-    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
-    const PetscErrorCode code = PetscInitialize(&count, &arguments, file.c_str(), nullptr);
-    if (code == 0) {
-      PetscPopErrorHandler();
-      status = run_case();
-      PetscFinalize();
-    } else {
-      complain("case file '" + file + "': expected valid YAML");
+    try {
+      status = run_files(argc, argv, scree::case_files(file));
+    } catch (const scree::InputError& error) {
+      complain(error.what());
     }
   }
   int finalized = 0;

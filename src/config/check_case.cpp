@@ -1,6 +1,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "scree/config/case_options.hpp"
 #include "scree/config/side_samples.hpp"
@@ -74,6 +75,32 @@ void check_plates(const Case& scene) {
   }
 }
 
+/// The file of a region's table, into table_values.
+void read_table(const Case& scene, InitialRegion& region) {
+  const std::string key = "initial_" + region.name + "_table";
+  const auto wrong = [&](const std::string& expected) { return InputError(key, region.table, expected); };
+  std::ifstream in(region.table);
+  if (!in) throw wrong("a file that can be read");
+  const std::string form = "lines 'coordinate solids_fraction' in SI, ";
+  std::vector<double>&x = region.table_values.at, &nu = region.table_values.factor;
+  for (std::string line; std::getline(in, line);) {
+    const auto start = line.find_first_not_of(" \t\r");
+    if (start == std::string::npos || line[start] == '#') continue;
+    const std::string got = "but it has '" + line + "'";
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream numbers(line);
+    double coordinate, value;
+    std::string more;
+    if (!(numbers >> coordinate >> value) || numbers >> more) throw wrong(form + "two finite numbers each, " + got);
+    if (!x.empty() && !(coordinate > x.back())) throw wrong(form + "ascending coordinates, " + got);
+    if (!(value >= 0 && value < scene.kinetic.nu_max))
+      throw wrong(form + "each in [0, solids_fraction_max = " + number_text(scene.kinetic.nu_max) + "), " + got);
+    x.push_back(coordinate);
+    nu.push_back(value);
+  }
+  if (x.empty()) throw wrong(form + "at least one");
+}
+
 void check_region(const Case& scene, const InitialRegion& region) {
   const std::string key = "initial_" + region.name + "_";
   for (int axis = 0; axis < scene.box.dim; ++axis) {
@@ -81,8 +108,6 @@ void check_region(const Case& scene, const InitialRegion& region) {
       throw InputError(key + "box", number_text(region.lower[axis]) + ", " + number_text(region.upper[axis]),
                        std::string("lower below upper, inside the box, along axis ") + axis_names[axis]);
   }
-  if (!region.table.empty() && !std::ifstream(region.table))
-    throw InputError(key + "table", region.table, "a file that can be read");
   if (region.profile != InitialRegion::Profile::equilibrium) return;
   if (!region.table.empty()) throw InputError(key + "table", region.table, "no table where profile is equilibrium");
   const auto& g = scene.model.gravity;
@@ -128,14 +153,17 @@ void check_output(const Case& scene) {
 
 }  // namespace
 
-void check_case(const Case& scene) {
+void check_case(Case& scene) {
   check_friction(scene.friction);
   check_lagging(scene.friction, scene.time);
   check_time(scene.time);
   check_boundaries(scene);
   check_plates(scene);
   check_gas(scene);
-  for (const InitialRegion& region : scene.initial) check_region(scene, region);
+  for (InitialRegion& region : scene.initial) {
+    check_region(scene, region);
+    if (!region.table.empty()) read_table(scene, region);
+  }
   check_output(scene);
 }
 

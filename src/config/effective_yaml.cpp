@@ -28,7 +28,7 @@ std::string effective_yaml(const Database& database, const OptionSet& options) {
   out << "# The case as Scree understood it, in SI.\n";
   std::string group;
   for (const OptionEntry& entry : options.entries()) {
-    if (entry.key == "based_on") continue;  // its values are here already
+    if (entry.key == "based_on" || entry.key == "check") continue;  // its values are here already; of this launch
     if (entry.value.empty() || (!entry.unused_because.empty() && !entry.given)) continue;
     if (entry.group != group) out << "\n# " << entry.group << "\n";
     group = entry.group;

@@ -1,3 +1,5 @@
+#include <petscsys.h>
+
 #include <cmath>
 
 #include "scree/config/case_options.hpp"
@@ -75,6 +77,23 @@ std::vector<double> faces_of_axis(const GridInput& grid, int axis) {
   return faces;
 }
 
+/// Before the faces are built: nodes and unknowns are to be numbers of PETSc.
+void check_size(const GridInput& grid) {
+  constexpr int unknowns = 4 + 2 * max_dim;  // nu, T, chi, p_g, v, u
+  constexpr double most = PETSC_MAX_INT / unknowns;
+  double nodes = 1;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    const bool blocks = !grid.blocks[axis].edges.empty();
+    double cells = 0;
+    for (const int count : grid.blocks[axis].cells) cells += count;
+    if (!blocks) cells = static_cast<std::size_t>(axis) < grid.cells.size() ? grid.cells[axis] : 0;
+    nodes *= cells * grid.refine + 1;
+  }
+  if (nodes > most)
+    throw InputError("grid", number_text(nodes) + " nodes",
+                     "at most " + number_text(most) + ", as PETSc numbers unknowns");
+}
+
 void set_periodic(Box& box, const std::vector<std::string>& axes) {
   for (const std::string& letter : axes) {
     const auto* axis = std::find(axis_names, axis_names + box.dim, letter);
@@ -128,6 +147,7 @@ void declare_grid(OptionSet& o, GridInput& grid) {
 }
 
 Box make_box(const GridInput& grid) {
+  check_size(grid);
   Box box;
   box.dim = grid.dim;
   for (int axis = 0; axis < grid.dim; ++axis) box.faces[axis] = faces_of_axis(grid, axis);

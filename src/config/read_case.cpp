@@ -58,8 +58,12 @@ Case read_case() {
 
   scene.effective_yaml = effective_yaml(database, options);
   scene.remarks = unused_remarks(database, options);
-  for (const auto& [key, value] : database.entries())
-    if (database.is_definition(key) || !is_petsc_option(key)) database.mark_used(key);
+  for (const auto& [key, value] : database.entries()) {
+    if (database.is_definition(key) || !is_petsc_option(key))
+      database.mark_used(key);
+    else
+      scene.petsc_options.push_back(key);
+  }
   return scene;
 }
 

@@ -19,6 +19,7 @@ void declare_solver(OptionSet& o, Case& scene) {
   std::string based_on;
   o.text("based_on", based_on, "a case file", "case file, beside this one, that this file overrides")
       .unset_by_default("none");
+  o.boolean("check", scene.check_only, "check the case, print it as understood, and end").unset_by_default("no");
   bool print_options = false;
   o.boolean("print_options", print_options, "print the table of options and end").unset_by_default("no");
 }

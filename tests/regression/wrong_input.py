@@ -65,6 +65,9 @@ complain("output directory cannot be made", CASE, tiny, ["a_file/out"], program.
 done = program.run(CASE, "done", tiny)
 complain("existing run", CASE, tiny, ["done", "already"], done.directory)
 
+remarks = [line for line in program.run(CASE, "misspelt", {**tiny, "snes_atoll": 1, "snes_atol": 1e-6}).log.splitlines() if "not used" in line]
+checks.equal("remarks on PETSc's options", remarks, ["snes_atoll is not used: PETSc has not asked for it"])
+
 later = {**tiny, "end_time": 2e-4}
 complain("restart with another grid", CASE, {**later, "grid_y_cells": "1, 9", "restart": done.directory},
          ["is of another case", "cells along y"])

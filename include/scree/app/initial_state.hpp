@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Fills the global vector `state`; later regions overwrite earlier ones. Throws InputError for an unreadable table.
+/// Fills the global vector `state`; later regions overwrite earlier ones.
 void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec state);
 
 /// Solids fractions of a column at rest under its own weight, one a cell of `axis`, as the discrete momentum balance

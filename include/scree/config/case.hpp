@@ -29,6 +29,7 @@ struct InitialRegion {
   double janssen_width = 0;      ///< > 0: equilibrium with wall friction in a plane bin of this width (T5) [m]
   double surface = 0;            ///< equilibrium: coordinate of the free surface along gravity's axis [m]
   std::string table;             ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
+  Ramp table_values;             ///< what it holds: factor is the solids fraction
   int table_axis = 0;
   bool has_solids_fraction = false, has_velocity = false, has_temperature = false, has_chi = false,
        has_gas_velocity = false;
@@ -109,9 +110,11 @@ struct Case {
   TimeParameters time;
   OutputParameters output;
   SolverParameters solver;
-  double scale_velocity = 0;         ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
-  std::string effective_yaml;        ///< the case as understood, as a case file that reruns it
-  std::vector<std::string> remarks;  ///< for the log: one line for each key that this scene does not use
+  double scale_velocity = 0;               ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
+  bool check_only = false;                 ///< nothing is to be run
+  std::string effective_yaml;              ///< the case as understood, as a case file that reruns it
+  std::vector<std::string> petsc_options;  ///< keys given that are PETSc's to know
+  std::vector<std::string> remarks;        ///< for the log: one line for each key that this scene does not use
 };
 
 }  // namespace scree

@@ -79,8 +79,8 @@ Box make_box(const GridInput& grid);
 /// Throws InputError naming the nearest grid plane if one is off by more than 1e-6 of a cell.
 void put_on_grid(Case& scene);
 
-/// Combinations of values: one place for what concerns more than one option. Throws InputError.
-void check_case(const Case& scene);
+/// Combinations of values: one place for what concerns more than one option. Reads the tables. Throws InputError.
+void check_case(Case& scene);
 
 /// What the boundaries say of the gas; the sides are known to be covered. Throws InputError.
 void check_gas(const Case& scene);

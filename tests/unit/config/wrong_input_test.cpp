@@ -1,3 +1,7 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
 #include <vector>
 
 #include "scene.hpp"
@@ -45,6 +49,8 @@ const Row rows[] = {
     {{{"extent", "1,"}}, "extent", "1,", "a number is missing"},
     {{{"grid_cells", "8, 2.5"}}, "grid_cells", "2.5", "a whole number >= 1"},
     {{{"grid_cells", "8, 0"}}, "grid_cells", "0", "a whole number >= 1"},
+    {{{"grid_cells", "30000, 30000"}}, "grid", "900060001 nodes", "at most 214748364"},
+    {{{"grid_cells", "999999999, 999999999"}, {"grid_refine", "999999999"}}, "grid", "nodes", "at most"},
     {{{"grid_refine", "2 cm"}}, "grid_refine", "2 cm", "a whole number"},
     {{{"grid_x_edges", "0, 0.08"}}, "grid_x_cells", "", "1 entry, one fewer than grid_x_edges"},
     {{{"grid_x_edges", "0, 0.1, 0.08"}, {"grid_x_cells", "1,1"}}, "grid_x_edges", "0.08", "ascending"},
@@ -103,6 +109,50 @@ TEST_F(WrongInput, IsOneLineThatNamesKeyValueAndWhatWouldBeRight) {
       EXPECT_EQ(line.find('\n'), std::string::npos) << line;
     }
   }
+}
+
+TEST_F(WrongInput, IsOneShortLineWhateverTheTextsHold) {
+  small_bin();
+  set("friction_tau", "1\n2\t3\x1b[2J" + std::string(5000, '9'));
+  try {
+    read_case();
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string line = error.what();
+    EXPECT_EQ(line.find_first_of("\n\t\x1b"), std::string::npos) << line;
+    EXPECT_LT(line.size(), 1000u);
+  }
+}
+
+/// Writes the table, names it as that of the bed, and returns what reading the case says.
+std::string complaint_on_table(const std::string& text) {
+  const std::string file = testing::TempDir() + "scree_table_" + std::to_string(getpid()) + ".txt";
+  std::ofstream(file) << text;
+  PetscOptionsSetValue(nullptr, "-initial_bed_table", file.c_str());
+  PetscOptionsSetValue(nullptr, "-initial_bed_table_axis", "y");
+  std::string complaint;
+  try {
+    const Case scene = read_case();
+    EXPECT_EQ(scene.initial.back().table_values.value(0.015), 0.25);
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key, "initial_bed_table");
+    complaint = error.expected;
+  }
+  std::remove(file.c_str());
+  return complaint;
+}
+
+TEST_F(WrongInput, Tables) {
+  small_bin();
+  erase("initial_bed_solids_fraction");
+  EXPECT_EQ(complaint_on_table("# x nu\n0.01, 0.2\n 0.02 3e-1 \r\n\n"), "");
+  EXPECT_NE(complaint_on_table("0 0.2\n1 nan\n").find("two finite numbers each, but it has '1 nan'"),
+            std::string::npos);
+  EXPECT_NE(complaint_on_table("inf 0.2\n").find("finite"), std::string::npos);
+  EXPECT_NE(complaint_on_table("0 0.2 0.3\n").find("two"), std::string::npos);
+  EXPECT_NE(complaint_on_table("0 0.2\n0 0.3\n").find("ascending"), std::string::npos);
+  EXPECT_NE(complaint_on_table("0 0.65\n").find("[0, solids_fraction_max = 0.65)"), std::string::npos);
+  EXPECT_NE(complaint_on_table("# nothing\n").find("at least one"), std::string::npos);
 }
 
 TEST_F(WrongInput, MissingGridAndSides) {
