@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "scree/output/checksum.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/output/hdf5_file.hpp"
 #include "scree/output/node_layout.hpp"
+#include "scree/output/seal.hpp"
 
 namespace scree {
 
@@ -22,23 +24,9 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* format_name = "scree checkpoint";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 // ---- checksums: position and bits of each number, added up, hence independent of the number of ranks
-
-/// One step of the splitmix64 generator: spreads each bit of x over all bits.
-std::uint64_t spread(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-std::string hexadecimal(std::uint64_t number) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
-  return text;
-}
 
 /// Collective. Checksum of an array over the owned nodes, dof numbers a node.
 std::string checksum(MPI_Comm comm, const NodeLayout& layout, const double* values) {
@@ -57,9 +45,9 @@ std::string checksum(MPI_Comm comm, const NodeLayout& layout, const double* valu
 }
 
 std::string checksum(const std::string& text) {
-  std::uint64_t sum = text.size();
-  for (const char character : text) sum = spread(sum ^ static_cast<unsigned char>(character));
-  return hexadecimal(sum);
+  ByteSum sum;
+  sum.add(text.data(), text.size());
+  return sum.text();
 }
 
 // ---- the header: all but the vectors, as JSON
@@ -217,13 +205,11 @@ std::string header_of(const std::string& path) {
   const auto wrong = [&](const std::string& what) {
     return std::runtime_error("checkpoint '" + path + "' cannot be used: " + what);
   };
+  const std::string complaint = seal_complaint(path);
+  if (!complaint.empty()) throw wrong(complaint);
   const QuietHdf5 quiet;
-  const std::uintmax_t size = fs::file_size(path);
   const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.valid()) {
-    if (size > 0 && H5Fis_hdf5(path.c_str()) > 0) throw wrong("truncated or damaged HDF5 file");
-    throw wrong("not an HDF5 file");
-  }
+  if (!file.valid()) throw wrong("not an HDF5 file");
   if (read_text_attribute(file.id(), "format") != format_name) throw wrong("not a checkpoint of Scree");
   const std::string version = read_text_attribute(file.id(), "version");
   if (version != std::to_string(format_version)) {
@@ -270,9 +256,12 @@ void read_vectors(Checkpoint& checkpoint, const Json& header, const NodeLayout& 
     check_petsc(VecGetArray(vector.get(), &values), "vector of a checkpoint");
     const bool read = read_slab(file.id(), name, slab, values);
     const std::string found = checksum(comm, layout, values);
+    const bool finite = std::all_of(values, values + layout.owned.size() * layout.dof,
+                                    [](PetscScalar value) { return std::isfinite(value); });
     check_petsc(VecRestoreArray(vector.get(), &values), "vector of a checkpoint");
     agree(comm, read, complaint + "vector " + name + " is missing or damaged");
     agree(comm, found == sum.get<std::string>(), complaint + "checksum of vector " + name + " differs");
+    agree(comm, finite, complaint + "vector " + name + " holds a NaN or an infinity");
     checkpoint.vectors[name] = vector;
   }
 }
@@ -322,6 +311,7 @@ std::string write_checkpoint(const std::string& directory, int index, const Box&
   file.attribute("/", "format", format_name);
   file.attribute("/", "version", std::to_string(format_version));
   file.attribute("/", "header_checksum", checksum(text));
+  file.seal();
   file.commit();
   on_first_rank(comm, [&] { remove_others(path); });
   return path;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -117,14 +118,18 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, c
 void Hdf5Writer::commit() {
   const QuietHdf5 quiet;
   const std::string temporary = temporary_name(path_);
+  std::vector<ByteRange> numbers;
   try {
     on_first_rank(comm_, [&] {
       reserve_space(temporary, size_at_most());  // HDF5 1.10 does not survive a failure to close a file
-      lay_out(temporary);
+      numbers = lay_out(temporary);
       reserve_space(temporary, std::filesystem::file_size(temporary));
     });
     fill(temporary);
-    on_first_rank(comm_, [&] { move_into_place(temporary, path_); });
+    on_first_rank(comm_, [&] {
+      if (sealed_) write_seal(temporary, numbers);
+      move_into_place(temporary, path_);
+    });
   } catch (const std::runtime_error& error) {
     int rank = 0;
     MPI_Comm_rank(comm_, &rank);
@@ -146,9 +151,12 @@ std::uintmax_t Hdf5Writer::size_at_most() const {
   return size;
 }
 
-/// All but the values of the datasets. One rank, without MPI-IO.
-void Hdf5Writer::lay_out(const std::string& path) const {
-  Hdf5Handle file(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)), H5Fclose);
+/// All but the values of the datasets, whose places in the file are returned. One rank, without MPI-IO.
+std::vector<ByteRange> Hdf5Writer::lay_out(const std::string& path) const {
+  std::vector<ByteRange> numbers;
+  const Hdf5Handle form(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  if (sealed_) H5Pset_userblock(form.id(), seal_size);
+  Hdf5Handle file(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, form.id(), H5P_DEFAULT)), H5Fclose);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_alloc_time(creation.id(), H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(creation.id(), H5D_FILL_TIME_NEVER);
@@ -159,6 +167,8 @@ void Hdf5Writer::lay_out(const std::string& path) const {
     Hdf5Handle data(checked(H5Dcreate2(file.id(), dataset.name.c_str(), H5T_IEEE_F64LE, space.id(), links.id(),
                                        creation.id(), H5P_DEFAULT)),
                     H5Dclose);
+    const haddr_t place = H5Dget_offset(data.id());
+    if (place != HADDR_UNDEF) numbers.push_back({place, H5Dget_storage_size(data.id())});
     checked(data.close() ? 0 : -1);
   }
   const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
@@ -176,6 +186,8 @@ void Hdf5Writer::lay_out(const std::string& path) const {
     write_attribute(file.id(), number.object, number.name, H5T_NATIVE_DOUBLE, &number.value);
   }
   checked(file.close() ? 0 : -1);
+  std::sort(numbers.begin(), numbers.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+  return numbers;
 }
 
 /// The values of the datasets. Collective; changes nothing but the space that lay_out() has made for them.

@@ -21,7 +21,8 @@ using NamedStrings = std::map<std::string, std::string>;
 
 /// Collective. Writes <directory>/checkpoints/<index as 8 digits>.h5 and returns its path. `index` is the step number:
 /// it must grow during a run. Vectors are global vectors of `dm`, stored bit by bit in natural ordering as
-/// /vectors/NAME (nz, ny, nx, dof), padding included; grid, fields, scalars, strings and checksums stand in /header.
+/// /vectors/NAME (nz, ny, nx, dof), padding included; grid, fields, scalars, strings and checksums stand in /header;
+/// the file is sealed (seal.hpp).
 /// The file appears complete or not at all; then the two newest up to `index` stay, the others go.
 /// Throws std::runtime_error on all ranks (disk full ...); earlier checkpoints are untouched then.
 std::string write_checkpoint(const std::string& directory, int index, const Box& box, DM dm,
@@ -46,8 +47,8 @@ class Checkpoint {
 
 /// Collective. Reads the newest sound checkpoint of `source`: an output directory, its checkpoints/, or one file.
 /// If the newest is damaged, the one before is taken, with a remark. Throws std::runtime_error, the same on all ranks,
-/// naming the file and what is wrong: none there, not a checkpoint, another version, truncated, checksum, or a grid or
-/// fields (name, component, place, scale) other than `box`, `dm` and `fields`.
+/// naming the file and what is wrong: none there, not a checkpoint, another version, truncated, checksum, NaN, or a
+/// grid or fields (name, component, place, scale) other than `box`, `dm` and `fields`.
 Checkpoint read_checkpoint(const std::string& source, const Box& box, DM dm, const std::vector<Field>& fields);
 
 }  // namespace scree

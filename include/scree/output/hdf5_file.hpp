@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "scree/output/seal.hpp"
+
 namespace scree {
 
 /// Owns one HDF5 identifier; negative: none.
@@ -66,6 +68,9 @@ class Hdf5Writer {
   void attribute(const std::string& object, const std::string& name, double value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
 
+  /// The file gets a seal, see seal.hpp.
+  void seal() { sealed_ = true; }
+
   /// Collective. The file appears under its name complete, or not at all, leaving one of that name as it was; then
   /// std::runtime_error of one line on all ranks.
   void commit();
@@ -84,7 +89,7 @@ class Hdf5Writer {
     double value;
   };
   std::uintmax_t size_at_most() const;
-  void lay_out(const std::string& path) const;
+  std::vector<ByteRange> lay_out(const std::string& path) const;
   void fill(const std::string& path) const;
   bool write_slab(hid_t file, const Dataset& dataset) const;
 
@@ -93,6 +98,7 @@ class Hdf5Writer {
   std::vector<Dataset> datasets_;
   std::vector<Text> texts_, text_attributes_;
   std::vector<Number> number_attributes_;
+  bool sealed_ = false;
 };
 
 /// What went wrong innermost, by HDF5's current error stack, in one line; or "".
