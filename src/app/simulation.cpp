@@ -136,7 +136,7 @@ void Simulation::restart() {
   const Checkpoint saved = read_checkpoint(scene_.output.restart, scene_.box, problem_.dm(), problem_.model().fields());
   if (!saved.remark.empty()) PetscPrintf(comm_, "%s\n", saved.remark.c_str());
   const double time = saved.scalar("time");
-  if (time >= scene_.time.end_time)
+  if (time > scene_.time.end_time * (1 + 1e-12))  // at the end: a run that was cut off while it finished
     throw std::runtime_error("restart: " + saved.file + " is at " + std::to_string(time) +
                              " s already; give an end_time beyond it");
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");

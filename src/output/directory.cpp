@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "scree/output/atomic_file.hpp"
 #include "scree/output/errors.hpp"
 
 namespace scree {
@@ -19,6 +20,25 @@ namespace fs = std::filesystem;
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Files that a run was writing when it was killed.
+std::vector<fs::path> leftovers(const fs::path& directory) {
+  std::vector<fs::path> files;
+  for (const fs::path& place : {directory, directory / "fields", directory / "checkpoints", directory / "lines"}) {
+    if (!fs::is_directory(place)) continue;
+    for (const auto& entry : fs::directory_iterator(place)) {
+      const std::string name = entry.path().filename().string();
+      const bool ours = place != directory || name == "case.yaml.part" || name == "monitor.csv.part" ||
+                        name == "summary.json.part" || name == "fields.xdmf.part";
+      if (ours && ends_with(name, temporary_name(""))) files.push_back(entry.path());
+    }
+  }
+  return files;
 }
 
 /// Files that a run has written into a directory; all others are left alone.
@@ -81,6 +101,7 @@ void prepare(const fs::path& directory, const std::string& restart, bool overwri
                              "' holds a case.yaml that no run has written: name another");
   }
   create_and_try(directory);
+  for (const fs::path& file : leftovers(directory)) fs::remove(file);
   if (goes_on) return;
   for (const fs::path& file : old) fs::remove(file);
 }
