@@ -6,7 +6,7 @@ usage() {
   cat <<TEXT
 Usage: scripts/test.sh [ctest options]
 Examples: scripts/test.sh              # everything
-          scripts/test.sh -L unit      # one label: unit, jacobian, verification, stability, regression, support
+          scripts/test.sh -L unit      # one label: unit, jacobian, verification, stability, regression, robustness
           scripts/test.sh -R Friction  # by name
 
 Environment: SCREE_BUILD_DIR, CMAKE_BUILD_PARALLEL_LEVEL  see scripts/build.sh

@@ -27,8 +27,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::set<std::string> candidates(const std::string& key, const OptionSet& known) {
   std::set<std::string> keys;
   for (const OptionEntry& entry : known.entries()) keys.insert(entry.key);
+  constexpr std::size_t longest = 100;  // the ways to read a key, and the comparison of each, grow with its length
   const std::size_t first = key.find('_');
-  if (first == std::string::npos) return keys;
+  if (first == std::string::npos || key.size() > longest) return keys;
   for (const auto& [section, attributes] : known.sections()) {
     if (edit_distance(key.substr(0, first), section) > 2) continue;
     for (std::size_t end = key.find('_', first + 1); end != std::string::npos; end = key.find('_', end + 1)) {

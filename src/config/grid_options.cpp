@@ -77,8 +77,9 @@ std::vector<double> faces_of_axis(const GridInput& grid, int axis) {
   return faces;
 }
 
-/// Before the faces are built: nodes and unknowns are to be numbers of PETSc.
+/// Before the faces are built: nodes and unknowns are to be numbers of PETSc, and each rank holds all faces of an axis.
 void check_size(const GridInput& grid) {
+  constexpr double most_along_axis = 1e7;
   constexpr int unknowns = 4 + 2 * max_dim;  // nu, T, chi, p_g, v, u
   constexpr double most = PETSC_MAX_INT / unknowns;
   double nodes = 1;
@@ -87,7 +88,11 @@ void check_size(const GridInput& grid) {
     double cells = 0;
     for (const int count : grid.blocks[axis].cells) cells += count;
     if (!blocks) cells = static_cast<std::size_t>(axis) < grid.cells.size() ? grid.cells[axis] : 0;
-    nodes *= cells * grid.refine + 1;
+    cells *= grid.refine;
+    if (cells > most_along_axis)
+      throw InputError("grid", number_text(cells) + " cells along " + axis_names[axis],
+                       "at most " + number_text(most_along_axis) + " along an axis");
+    nodes *= cells + 1;
   }
   if (nodes > most)
     throw InputError("grid", number_text(nodes) + " nodes",

@@ -50,7 +50,7 @@ const Row rows[] = {
     {{{"grid_cells", "8, 2.5"}}, "grid_cells", "2.5", "a whole number >= 1"},
     {{{"grid_cells", "8, 0"}}, "grid_cells", "0", "a whole number >= 1"},
     {{{"grid_cells", "30000, 30000"}}, "grid", "900060001 nodes", "at most 214748364"},
-    {{{"grid_cells", "999999999, 999999999"}, {"grid_refine", "999999999"}}, "grid", "nodes", "at most"},
+    {{{"grid_cells", "999999999, 999999999"}, {"grid_refine", "999999999"}}, "grid", "cells along x", "at most 1e+07"},
     {{{"grid_refine", "2 cm"}}, "grid_refine", "2 cm", "a whole number"},
     {{{"grid_x_edges", "0, 0.08"}}, "grid_x_cells", "", "1 entry, one fewer than grid_x_edges"},
     {{{"grid_x_edges", "0, 0.1, 0.08"}, {"grid_x_cells", "1,1"}}, "grid_x_edges", "0.08", "ascending"},
