@@ -1,6 +1,7 @@
 /// scree CASE.yaml [options]: runs a case. See README.md; `scree -help` lists the options.
 #include <petscsys.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -105,6 +106,7 @@ int main(int argc, char** argv) {
     std::printf("%s", scree::option_table_markdown().c_str());
     return 0;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, not the end of the process
   const std::string file = case_file(argc, argv);
   MPI_Init(&argc, &argv);
   int status = 1;

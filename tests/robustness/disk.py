@@ -8,8 +8,8 @@ import os
 import re
 import resource
 import shutil
-import signal
 import subprocess
+import sys
 import time
 from collections import Counter
 
@@ -43,36 +43,48 @@ class Disk:
         subprocess.run(["umount", self.path], check=True)
 
 
-def ignore_and_limit(size):
-    """For the child: writing beyond `size` bytes of a file fails instead of killing the process."""
-    def prepare():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
-    return prepare
+def enter_own_mounts():
+    """Starts this script again with mounts of its own, which end with it, where that is allowed."""
+    words = ["unshare", "--mount"]
+    if "SCREE_OWN_MOUNTS" in os.environ or not shutil.which(words[0]):
+        return
+    if subprocess.run([*words, "true"], capture_output=True).returncode:
+        return
+    os.environ["SCREE_OWN_MOUNTS"] = "yes"
+    os.execvp(words[0], [*words, sys.executable, *sys.argv])
 
 
 def start(directory, options, prefix=(), **more):
     words = [*prefix, *program.command(CASE, {"output_dir": directory, **options})]
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120,
-                             restore_signals=False, **more)
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, **more)
     return Run(directory, process)
 
 
-def start_and_fill(directory, options, filler):
-    """A run during which, after its second checkpoint, the file `filler` takes all that is left of the disk."""
+def start_and_fill(directory, options, fill):
+    """A run in which `fill(process id)` leaves no room for more after the first checkpoint."""
     words = program.command(CASE, {"output_dir": directory, **options})
     process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True)
     while process.poll() is None and not checkpoints(directory):
         time.sleep(0.001)
+    fill(process.pid)
+    out, errors = process.communicate(timeout=120)
+    return Run(directory, subprocess.CompletedProcess(words, process.returncode, out, errors))
+
+
+def fill_disk(_):
+    """All that is left of the disk goes into one file."""
     try:
-        with open(filler, "wb", buffering=0) as file:
+        with open(disk.path / "filler", "wb", buffering=0) as file:
             while True:
                 file.write(b"x" * 4096)
     except OSError:
         pass
-    out, errors = process.communicate(timeout=120)
-    return Run(directory, subprocess.CompletedProcess(words, process.returncode, out, errors))
+
+
+def limit_files(process):
+    """From now on no file of that process may grow beyond 100 bytes."""
+    resource.prlimit(process, resource.RLIMIT_FSIZE, (100, resource.RLIM_INFINITY))
 
 
 def damaged(directory):
@@ -107,6 +119,7 @@ def fills_up(name, whole, first, again):
     return re.sub(r"\d{6,}", "N", file[1].replace(str(failed.directory), "").strip("/")) if file else "?"
 
 
+enter_own_mounts()
 sizes = option("--sizes", 4)
 program, checks = Program(), Checks("full disks and directories that cannot be written", "R2")
 runs = {name: program.run(CASE, name, options)
@@ -114,8 +127,7 @@ runs = {name: program.run(CASE, name, options)
 
 disk = Disk(program.work / "disk")
 out = disk.path / "out"
-mounted = disk.mount(64)
-if mounted:
+if "SCREE_OWN_MOUNTS" in os.environ and disk.mount(64):
     disk.unmount()
     stopped_at = Counter()
     # kB: all but the run at its end, which needs some in addition while it writes
@@ -139,7 +151,7 @@ if mounted:
                 return start(out, {**options, **more})
 
             stopped_at[fills_up(f"disk that another file fills, checkpoints {name}", runs[name],
-                                lambda: start_and_fill(out, options, disk.path / "filler"), without_filler)] += 1
+                                lambda: start_and_fill(out, options, fill_disk), without_filler)] += 1
             shutil.rmtree(out)
         print(f"  files that did not fit: {dict(stopped_at)}")
         checks.above("different files at which a disk was full", len(stopped_at), 2)
@@ -149,12 +161,12 @@ if mounted:
     finally:
         disk.unmount()
 else:
-    print("  no tmpfs can be mounted here: a limit on the size of files instead, no read-only file system")
-    for size in (300, 20000, 37000):
-        directory = program.work / f"limit_{size}"
-        fills_up(f"files of {size} bytes at most", runs["with_fields"],
-                 lambda: start(directory, WITH_FIELDS, preexec_fn=ignore_and_limit(size)),
-                 lambda more: start(directory, {**WITH_FIELDS, **more}))
+    print("  no file system can be mounted here: limits on the size of files instead, no read-only directory")
+    for name, options in (("frequent", FREQUENT), ("rare", RARE)):
+        directory = program.work / f"limit_{name}"
+        fills_up(f"small files, checkpoints {name}", runs[name],
+                 lambda: start_and_fill(directory, options, limit_files),
+                 lambda more: start(directory, {**options, **more}))
 
 closed = program.work / "closed"
 closed.mkdir()
@@ -167,7 +179,7 @@ if os.getuid() == 0:  # root may write anywhere
         as_nobody = None
         print("  not tried here: a directory without permission (root may write anywhere)")
 if as_nobody is not None:
-    for name, directory in (("directory below one without permission", closed / "out"), ("directory without permission", closed)):
+    for name, directory in (("directory without permission", closed), ("directory below one", closed / "out")):
         run = start(directory, {}, as_nobody, env={**os.environ, "HOME": "/tmp"})
         complaint = one_line(run, str(directory), "Permission denied")
         checks.true(name, complaint is None, complaint)

@@ -32,9 +32,9 @@ def same_bits(a, b):
 def one_line(run, *words):
     """Whether a run has failed as it should: one line of its own on stderr that has the words, exit code 1, no trace of
     a signal or of PETSc. Under mpirun its remarks on the exit code come in addition. Returns what is wrong, or None."""
-    ours = [line for line in run.errors.splitlines() if line.startswith("scree: ")]
+    ours = [line[line.index("scree: "):] for line in run.errors.splitlines() if "scree: " in line]
     noise = [line for line in run.errors.splitlines()
-             if "PETSC ERROR" in line or "terminate called" in line or "signal" in line]
+             if "PETSC ERROR" in line or "terminate called" in line or "ignal:" in line]
     if len(ours) != 1 or noise or not 0 < run.code < 128:
         return f"exit {run.code}, lines {ours[:3]}, noise {noise[:3]}"
     missing = [word for word in words if word not in ours[0]]
