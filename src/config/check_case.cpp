@@ -126,6 +126,17 @@ void check_friction(const FrictionParameters& friction) {
                      "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");
 }
 
+/// The stencil of advection reaches over as many nodes; an axis that is not periodic has one more than cells.
+void check_cells(const Case& scene) {
+  const bool upwind = scene.model.advection == AdvectionScheme::upwind;
+  for (int axis = 0; axis < scene.box.dim; ++axis) {
+    const int least = (upwind ? 2 : 3) - (scene.box.periodic[axis] ? 0 : 1), cells = scene.box.cells(axis);
+    if (cells < least)
+      throw InputError("grid", std::to_string(cells) + (cells == 1 ? " cell" : " cells") + " along " + axis_names[axis],
+                       "at least " + std::to_string(least) + " for advection " + (upwind ? "upwind" : "van_albada"));
+  }
+}
+
 void check_lagging(const FrictionParameters& friction, const TimeParameters& time) {
   if (friction.lagged && (time.adaptive || time.scheme != TimeScheme::beuler))
     throw InputError("friction_lagged", "yes", "no, or time_step_adaptive no and time_scheme beuler");
@@ -155,6 +166,7 @@ void check_output(const Case& scene) {
 
 void check_case(Case& scene) {
   check_friction(scene.friction);
+  check_cells(scene);
   check_lagging(scene.friction, scene.time);
   check_time(scene.time);
   check_boundaries(scene);

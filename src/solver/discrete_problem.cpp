@@ -261,6 +261,18 @@ PetscErrorCode DiscreteProblem::lag_friction(Vec state, double dt) const {
   PetscFunctionReturn(0);
 }
 
+PetscErrorCode DiscreteProblem::raise_temperature(Vec guess, double dt) const {
+  PetscFunctionBeginUser;
+  GhostedArray u;
+  double* x;
+  PetscCall(u.open(dm_, guess));
+  PetscCall(VecGetArray(guess, &x));
+  model_->raise_temperature(u.data(), dt, x);
+  PetscCall(VecRestoreArray(guess, &x));
+  PetscCall(u.close());
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
   PetscFunctionBeginUser;
   GhostedArray u;

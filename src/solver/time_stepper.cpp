@@ -20,6 +20,20 @@ constexpr double newton_share = 1e-3;
 /// Change of dt that makes a preconditioner stale.
 constexpr double most_step_change = 1.5;
 
+/// Puts the preconditioner back to where it was before its first set-up; KSPReset alone drops the splits of a
+/// fieldsplit, which come from options.
+PetscErrorCode forget(SNES snes) {
+  PetscFunctionBeginUser;
+  KSP ksp;
+  PC pc;
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCNONE));
+  PetscCall(KSPReset(ksp));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscFunctionReturn(0);
+}
+
 MPI_Comm comm_of(Vec vector) { return PetscObjectComm(reinterpret_cast<PetscObject>(vector)); }
 
 }  // namespace
@@ -92,8 +106,9 @@ PetscErrorCode TimeStepper::make_ts() {
   PetscFunctionReturn(0);
 }
 
-/// TSARKIMEX finds its first slope with a TS of its own, whose end takes the Jacobian out of the SNES that both share;
-/// SNES would go on with a matrix from the DM, which has other entries than ours.
+/// TSARKIMEX finds its first slope with a TS of its own, whose end takes the Jacobian and the splits of the
+/// preconditioner out of the SNES that both share; SNES would go on with a matrix from the DM, which has other entries
+/// than ours.
 PetscErrorCode TimeStepper::keep_jacobian(TS ts, PetscReal) {
   PetscFunctionBeginUser;
   SNES snes;
@@ -105,6 +120,7 @@ PetscErrorCode TimeStepper::keep_jacobian(TS ts, PetscReal) {
   PetscCall(TSGetIJacobian(ts, nullptr, nullptr, nullptr, &problem));
   P = static_cast<DiscreteProblem*>(problem)->matrix();
   PetscCall(SNESSetJacobian(snes, P, P, nullptr, nullptr));
+  PetscCall(forget(snes));
   PetscFunctionReturn(0);
 }
 
@@ -134,10 +150,8 @@ PetscErrorCode TimeStepper::forget_preconditioner() {
     PetscFunctionReturn(0);
   }
   SNES snes;  // the other schemes would lose their past states with TS
-  KSP ksp;
   PetscCall(TSGetSNES(ts_, &snes));
-  PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(KSPReset(ksp));
+  PetscCall(forget(snes));
   PetscFunctionReturn(0);
 }
 
@@ -173,15 +187,16 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
     if (self.reuses_preconditioner_) PetscCall(SNESSetLagPreconditioner(snes, -2));
   }
 
+  double dt;
+  PetscCall(TSGetTimeStep(self.ts_, &dt));
   if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 &&
       self.history_.easy_steps >= easy_before_extrapolation) {
-    double dt;
-    PetscCall(TSGetTimeStep(self.ts_, &dt));
     const double ratio = dt / self.history_.dt_past[0];
     PetscCall(VecAXPBYPCZ(guess, 1 + ratio, -ratio, 0, self.guess_, self.past_[0]));
   }
   long limited = 0;
   PetscCall(self.limits_.apply(self.guess_, guess, &limited));
+  PetscCall(self.problem_.raise_temperature(guess, dt));
   PetscFunctionReturn(0);
 }
 
@@ -306,6 +321,12 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscCall(TSGetTime(ts_, &reached));
   report->dt = reached - time_;
   PetscCall(local_error(report->dt, &report->error));
+  if (!std::isfinite(report->error)) {
+    report->failed = *done = true;
+    report->reason = "the state is not finite";
+    PetscCall(VecCopy(guess_, state_));
+    PetscFunctionReturn(0);
+  }
   *done = !control_.adaptive || report->error <= 1 || report->dt <= 2 * control_.step_min;
   if (*done) {
     report->time = reached;

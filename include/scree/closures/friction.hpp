@@ -32,6 +32,7 @@ struct FrictionParameters {
 inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < .024 there
 inline constexpr double compaction_clip_width = 0.1;  ///< of the same base at n/(n-1), relative
 inline constexpr double yield_clip_width = 1e-2;      ///< of the braces of (14) at 0
+inline constexpr double branch_width = 1e-2;          ///< of |div v|/gamma, within which (14) passes between its n
 
 /// base^exponent for base >= width, 0 for base <= 0, and between them the cubic that meets both with their slopes:
 /// a power below one has an infinite slope at 0. 0 < exponent < 3.
@@ -69,8 +70,8 @@ Number critical_pressure(const Number& nu, const FrictionParameters& p) {
                  nu);
 }
 
-/// Exponent n of (14): the one of dilation or of compaction by the sign of div v. The switch is hard, here and nowhere
-/// else: (21) is continuous across it (its slope jumps), (14) at given chi too where chi = 1.
+/// Exponent n of (21): the one of dilation or of compaction by the sign of div v. (21) is continuous across the switch
+/// (its slope jumps). (14) at given chi is not, unless chi = 1: see yield_factor.
 template <class Number>
 double yield_exponent(const Number& div_v, const FrictionParameters& p) {
   return div_v >= 0.0 ? p.n_dilation : p.n_compaction;
@@ -118,13 +119,26 @@ Number yield_factor_of_base(const Number& base, double n, const FrictionParamete
   return friction_coefficient(p) * clipped_power(Number(n - (n - 1) * base), 1, yield_clip_width);
 }
 
-/// The same from chi. Beyond the tip of the yield surface it is 0 without a power: chi^33 overflows.
+/// The same from chi with the n of one branch. Beyond the tip of the yield surface it is 0 without a power: chi^33
+/// overflows.
 template <class Number>
-Number yield_factor(const Number& chi, const Number& div_v, const FrictionParameters& p) {
-  const double n = yield_exponent(div_v, p);
+Number yield_factor_of_branch(const Number& chi, double n, const FrictionParameters& p) {
   if (chi <= 0.0) return Number(friction_coefficient(p) * n);
   if (chi >= 2.0 * n) return Number(0.0);  // (n/(n-1))^(n-1) < 2 n for every n > 1
   return yield_factor_of_base(Number(pow(chi, 1 / (n - 1))), n, p);
+}
+
+/// The same by the sign of div v; where |div v| is within branch_width of gamma it passes from one branch to the other:
+/// the model says nothing of div v = 0 with chi != 1, and a jump there is a residual that Newton's method cannot zero
+/// in a bed that hardly moves.
+template <class Number>
+Number yield_factor(const Number& chi, const Number& div_v, const Number& gamma, const FrictionParameters& p) {
+  const Number x = div_v / (branch_width * gamma);
+  if (x >= 1.0) return yield_factor_of_branch(chi, p.n_dilation, p);
+  if (x <= -1.0) return yield_factor_of_branch(chi, p.n_compaction, p);
+  const Number dilating = 0.5 + x * (0.75 - 0.25 * x * x);  // 0 to 1, smooth at both ends
+  return dilating * yield_factor_of_branch(chi, p.n_dilation, p) +
+         (1.0 - dilating) * yield_factor_of_branch(chi, p.n_compaction, p);
 }
 
 /// sigma_f = pressure I - 2 viscosity S.
@@ -143,7 +157,7 @@ FrictionalStress<Number> frictional_stress(const Number& p_c, const Number& chi,
   if (p.model == FrictionModel::critical_state) return {p_c, friction_coefficient(p) * p_c / (2.0 * gamma)};
   if (p.model == FrictionModel::relaxed) {
     const Number p_f = chi * p_c;
-    return {p_f, p_f * yield_factor(chi, div_v, p) / (2.0 * gamma)};
+    return {p_f, p_f * yield_factor(chi, div_v, gamma, p) / (2.0 * gamma)};
   }
   // chi and chi^(1/(n-1)) come from one base: no power of 33 to undo the one of .03.
   const double n = yield_exponent(div_v, p);

@@ -110,6 +110,23 @@ Number solids_energy_source(const SolidsPoint<Number>& q, const SolidsParameters
   return cell_closure(q, p)[CellClosure::energy_source];
 }
 
+/// First guess of T after a step of dt of (9) by storage, production and dissipation alone, where T is so far below it
+/// that Newton's method would go astray; elsewhere T [m2/s2]. With production P sqrt(T) and dissipation J T^(3/2) a
+/// step from 0 ends below (P dt/c)^2, c = 3/2 rho_s nu, and below P/J.
+inline double raised_temperature(double nu, double T, double div_v, double S_S, double dt, const SolidsParameters& p) {
+  if (!(nu > 0.02) || !(S_S > 0)) return T;  // in voids production says nothing: see local_equilibrium_share
+  constexpr double cold = 1e-12, hot = 1, far = 1e-2;  // [m2/s2], [m2/s2], [-]
+  const auto energy = [&](double at) {
+    return cell_closure(nu, at, 1.0, div_v, S_S, 0.0, p)[CellClosure::energy_source];
+  };
+  const double root = std::sqrt(cold + p.temperature_floor);
+  const double production = energy(cold) / root, dissipation = production - energy(hot);
+  if (!(production > 0)) return T;
+  const double step = production * dt / (1.5 * p.kinetic.rho_s * nu);
+  const double reached = std::min(step * step, dissipation > 0 ? production / dissipation : step * step);
+  return T < far * reached ? reached : T;
+}
+
 /// Right-hand side of (23): (chi* - chi)/tau [1/s].
 template <class Number>
 Number chi_source(const Number& chi, const Number& steady, const FrictionParameters& p) {

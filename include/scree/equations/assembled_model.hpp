@@ -129,6 +129,21 @@ class AssembledModel final : public Model {
     }
   }
 
+  void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
+                         [[maybe_unused]] double* owned) const override {
+    if constexpr (L::has_T) {
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (!is_balance(L::T, I)) return;
+        Local<CellBalances<L>, double> q;
+        assembly_.gather(state, state, 0, I, q);
+        const auto strain = cell_strain<L>(assembly_.scene, I, q);
+        double& T = owned[assembly_.owned_unknown(L::T, I)];
+        const double scale = assembly_.scale[L::T];
+        T = raised_temperature(q(L::nu), T * scale, strain.div_v, strain.S_S, dt, setup_.solids) / scale;
+      });
+    }
+  }
+
   double solids_flux(const double* state, int axis, const Index& I) const override {
     double flux = 0;
     static_for<L::dim>([&](auto a) {

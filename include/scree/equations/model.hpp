@@ -57,6 +57,9 @@ class Model {
   /// Moves chi in `owned`, the same state without ghosts, by `share` of its way to chi* (21) of `state`, where it is an
   /// unknown.
   virtual void relax_chi(const double* state, double share, double* owned) const = 0;
+  /// First guess of a step of dt: raises T of `owned` where it is far below what a step from `state` would give. From
+  /// there Newton's method would find T < 0, which production ~ sqrt(T) makes a second way to a small residual.
+  virtual void raise_temperature(const double* state, double dt, double* owned) const = 0;
   /// Components of p_g and of u along an axis; -1 where they are no unknowns.
   virtual int gas_pressure() const = 0;
   virtual int gas_velocity(int axis) const = 0;

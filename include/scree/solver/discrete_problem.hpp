@@ -60,6 +60,8 @@ class DiscreteProblem {
   PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
   /// Friction lagged by a step: chi of `state` after a step of dt of (23) without advection, or chi* itself.
   PetscErrorCode lag_friction(Vec state, double dt) const;
+  /// Raises T of a first guess where it is too cold for a step of dt, see Model::raise_temperature.
+  PetscErrorCode raise_temperature(Vec guess, double dt) const;
   /// Makes u obey the conditions on sides and plates, where u is an unknown.
   PetscErrorCode impose_gas(Vec state) const;
   /// Makes div(nu v + (1-nu) u) vanish by changing u inside and on open sides, where u is an unknown.

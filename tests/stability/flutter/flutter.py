@@ -13,7 +13,7 @@ from waves import RATIO, divergence, lagged_factor, rows, roughness
 STEP, CELLS = 1e-4, (2e-3, 2e-3)
 HEIGHTS = 0.01, 0.03  # where the column is watched [m]
 SEED = 1e-5  # of T, in one cell: without growth short waves of div v stay below that of the dilation
-GROWS = 1 + 1e-3  # a step's factor above it is growth: slow waves decay by less in the shortest steps
+GROWS = 1 + 1e-3  # factors per step above it are growth; in the shortest steps all are within rounding of 1
 
 
 def taken(option):
