@@ -53,11 +53,14 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
   // The line search goes from state to state - step.
   PetscCall(VecAYPX(step, -1, state));
   PetscCall(self.apply(state, step, &limited));
-  PetscCall(VecAYPX(step, -1, state));
   self.limited_ += limited;
   long any = limited;
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
+  // Where Newton's method wanted T < 0 it may be on its way to nothing, away from a root above.
+  if (any > 0 && self.T_ >= 0 && self.problem_.last_shift() > 0)
+    PetscCall(self.problem_.raise_temperature(step, 1 / self.problem_.last_shift()));
+  PetscCall(VecAYPX(step, -1, state));
   *changed = any > 0 ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(0);
 }

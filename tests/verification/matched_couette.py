@@ -28,8 +28,9 @@ for cells in (8, 16, 32):
     last = program.run("matched_couette.yaml", f"cells_{cells}", options).fields
     y, v, found = centres(last["y_faces"]), last["velocity_x_face"], last["granular_temperature"]
     rate = np.polyfit(y - HEIGHT / 2, v.mean(axis=1), 1)[0]
-    checks.below(f"{cells} cells: spread of T, relative", np.ptp(found) / T, 1e-7)
-    checks.below(f"{cells} cells: spread of nu", np.ptp(last["solids_fraction"]), 1e-8)
+    # Newton's tolerance of 1e-10 is that share of T: its row, J over rho_s V^2/time, is 4.6e-4 here; nu follows by p = const
+    checks.below(f"{cells} cells: spread of T, relative", np.ptp(found) / T, 1e-10 / 4.6e-4)
+    checks.below(f"{cells} cells: spread of nu", np.ptp(last["solids_fraction"]), 0.3 * 1e-10 / 4.6e-4)
     checks.below(f"{cells} cells: v against the linear profile of its own rate, over U",
                  np.abs(v - rate * (y - HEIGHT / 2)[:, None]).max() / U, 1e-7)
     checks.close(f"{cells} cells: T over the square of the rate, d2 [-]", found.mean() / (D * rate) ** 2,

@@ -1,6 +1,8 @@
 /// Wall laws of Johnson & Jackson (1987), eqs. (25) and (26).
 #pragma once
 
+#include <algorithm>
+
 #include "scree/closures/kinetic.hpp"
 
 namespace scree {
@@ -50,13 +52,14 @@ template <class Number>
 Number wall_slip_share(const Number& k, const Number& N, const Number& collisions, const Number& slip_speed_squared,
                        const WallParameters& wall) {
   const double tangent = std::tan(wall.delta), v_e_squared = wall.slip_regularisation * wall.slip_regularisation;
+  constexpr double nothing = 1e-30;  // far above where its inverse overflows [kg/(m2 s)]
   const auto excess = [&](const auto& share, const auto& k_, const auto& N_, const auto& collisions_, const auto& s2) {
     return share * (tangent * N_ / sqrt(share * share * s2 + v_e_squared) + collisions_) - k_ * (1.0 - share);
   };
   Dual<1> share = Dual<1>::variable(0, 0), f;
   for (int iteration = 0; iteration < 50; ++iteration) {
     f = excess(share, value_of(k), value_of(N), value_of(collisions), value_of(slip_speed_squared));
-    if (!(f.derivative[0] > 0)) return Number(1.0);  // neither wall nor shear does anything
+    if (!(f.derivative[0] > nothing)) return Number(1.0);  // neither wall nor shear does anything
     const double step = -f.value / f.derivative[0];
     share.value += step;
     if (!(std::abs(step) > 1e-15)) break;
@@ -76,8 +79,8 @@ Number wall_sqrt_temperature(const Number& nu, const Number& sqrt_T, const Numbe
   const Number B = wall.specularity * slip_speed_squared * rate;
   const Number C = conduction * sqrt_T * sqrt_T * sqrt_T;
   const double a = value_of(A), b = value_of(B), c = value_of(C);
-  if (!(c > 0)) return sqrt_T;  // nothing conducts
-  double x = std::sqrt(b / a) + std::cbrt(c / a), slope = 0;
+  if (!(c > 0)) return sqrt_T;                                               // nothing conducts
+  double x = std::sqrt(std::max(b, 0.0) / a) + std::cbrt(c / a), slope = 0;  // b < 0 where nu is, by rounding
   for (int iteration = 0; iteration < 50; ++iteration) {
     slope = 3 * a * x * x - b;
     const double step = (a * x * x * x - b * x - c) / slope;

@@ -118,11 +118,11 @@ TEST(AtWall, DerivativesMatchDifferences) {
 
 TEST(AtWall, FiniteAtTheEdges) {  // H15; no viscosity: the wall takes nothing
   using D = Dual<6>;
-  for (const double nu : {0.0, 1e-12, .65 - 1e-9})
+  for (const double nu : {-1e-9, 0.0, 1e-12, .65 - 1e-9})
     for (const double root : {1e-7, .01})
       for (const double slip2 : {0.0, 1e-20, 1.0})
         for (const double N : {0.0, 1e8})
-          for (const double k : {0.0, 1e-30, 1e9})
+          for (const double k : {0.0, 1e-310, 1e-30, 1e9})
             for (const double kappa_0 : {0.0, 1e-20, 10.0}) {
               const std::array<double, 6> x{nu, root, N, slip2, k, kappa_0};
               std::array<D, 6> seeded;
