@@ -10,6 +10,7 @@ Usage: scripts/hard_cases.sh [-o OUT] [NAME ...]
     lip_long     H9: rate of discharge on 2, 1, .5 mm cells, order, extrapolated value, mirror symmetry
     fine_bin_long  H10: 100 um bin with air for 5 s, and with its bottom closed
     bubble_symmetry_long  H11: bubble on the full width, 3 and 1.5 mm cells
+    flutter_long H8: the plug of the bin with friction coupled and lagged
 
 What is done (OUT/NAME/checks.json is there) is skipped, what was interrupted starts anew; the exit code says whether all
 checks hold. Each runs the program on SCREE_RANKS ranks, one case after the other.
@@ -24,7 +25,7 @@ TEXT
 }
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-all=(lip_long fine_bin_long bubble_symmetry_long)
+all=(lip_long fine_bin_long bubble_symmetry_long flutter_long)
 out=$root/out/hard_cases
 while [ $# -gt 0 ]; do
   case $1 in
@@ -65,7 +66,8 @@ for name in "$@"; do
   fi
   echo "$(date +%T) $name: runs on $ranks ranks, log in $out/$name.log"
   set -m
-  /usr/bin/python3 "$root/tests/stability/$name.py" --scree "$scree" --ranks "$ranks" --work "$out/$name" -- \
+  script=$(find "$root/tests/stability" -name "$name.py")
+  /usr/bin/python3 "$script" --scree "$scree" --ranks "$ranks" --work "$out/$name" -- \
     "${launcher[@]}" > >(tee "$out/$name.log" | sed -u "s/^/  /") 2>&1 </dev/null &
   running=$!
   set +m
