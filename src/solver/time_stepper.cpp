@@ -296,7 +296,8 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscCall(age_preconditioner(dt));
   TSAdapt adapt;  // what is left to a given time may be less than step_min
   PetscCall(TSGetAdapt(ts_, &adapt));
-  PetscCall(TSAdaptSetStepLimits(adapt, std::min(control_.step_min, dt), PETSC_MAX_REAL));
+  const double least = std::min(control_.step_min, dt);
+  PetscCall(TSAdaptSetStepLimits(adapt, least, PETSC_MAX_REAL));
   if (problem_.setup().solids.friction.lagged) PetscCall(problem_.lag_friction(state_, dt));
   PetscCall(TSSetTimeStep(ts_, finds_slope_ ? dt / 2 : dt));
   PetscCall(TSStep(ts_));
@@ -321,9 +322,10 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscCall(TSGetTime(ts_, &reached));
   report->dt = reached - time_;
   PetscCall(local_error(report->dt, &report->error));
-  if (!std::isfinite(report->error)) {
+  const bool too_short = report->dt < 0.4 * least;  // TS may cut further, down to steps that time does not feel
+  if (too_short || !std::isfinite(report->error)) {
     report->failed = *done = true;
-    report->reason = "the state is not finite";
+    if (!too_short) report->reason = "the state is not finite";
     PetscCall(VecCopy(guess_, state_));
     PetscFunctionReturn(0);
   }
