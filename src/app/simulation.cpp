@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scree/app/initial_state.hpp"
+#include "scree/app/problem_setup.hpp"
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/checkpoint.hpp"
 #include "scree/output/directory.hpp"
@@ -33,31 +33,6 @@ const char* name_of(TimeScheme scheme) {
   return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
 }
 
-/// Whether particles are there from the start or come in.
-bool has_particles(const Case& scene) {
-  const auto brings = [](const Segment& s) {
-    return s.condition.kind == BoundaryKind::inlet && s.condition.solids_fraction > 0;
-  };
-  const auto holds = [](const InitialRegion& r) {
-    return (r.has_solids_fraction && r.solids_fraction > 0) || !r.table.empty() ||
-           r.profile != InitialRegion::Profile::uniform;
-  };
-  return scene.gas.model == GasModel::none || std::any_of(scene.segments.begin(), scene.segments.end(), brings) ||
-         std::any_of(scene.initial.begin(), scene.initial.end(), holds);
-}
-
-/// Unless the case says otherwise V = sqrt(g d) and time V/g.
-Scales scales_of(const Case& scene) {
-  double g = 0;
-  for (const double component : scene.model.gravity) g += component * component;
-  g = std::sqrt(g);
-  Scales scales;
-  scales.velocity = scene.scale_velocity > 0 ? scene.scale_velocity : g > 0 ? std::sqrt(g * scene.kinetic.d) : 0.1;
-  scales.time = g > 0 ? scales.velocity / g : scene.kinetic.d / scales.velocity;
-  scales.density = has_particles(scene) ? scene.kinetic.rho_s : scene.gas.rho_g;
-  return scales;
-}
-
 void print_solver(MPI_Comm comm, const Case& scene, const Model& model) {
   PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
   for (const auto& [name, value] : preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure()))
@@ -66,26 +41,6 @@ void print_solver(MPI_Comm comm, const Case& scene, const Model& model) {
 }
 
 }  // namespace
-
-ProblemSetup Simulation::problem_setup(const Case& scene) {
-  ProblemSetup setup;
-  setup.box = scene.box;
-  setup.segments = scene.segments;
-  setup.plates = scene.plates;
-  setup.model = scene.model;
-  setup.solids = {scene.kinetic,
-                  scene.friction,
-                  scene.model.temperature,
-                  scene.model.temperature_value,
-                  scene.model.temperature_floor,
-                  scene.gas};
-  if (scene.friction.lagged && scene.friction.model == FrictionModel::instantaneous) {
-    setup.solids.friction.model = FrictionModel::relaxed;  // chi is kept, and does not relax
-    setup.solids.friction.tau = std::numeric_limits<double>::min();
-  }
-  setup.scales = scales_of(scene);
-  return setup;
-}
 
 StepControl Simulation::step_control(const Case& scene) {
   const TimeParameters& t = scene.time;

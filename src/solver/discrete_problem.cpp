@@ -24,6 +24,20 @@ PetscErrorCode GhostedArray::close() {
 
 namespace {
 
+/// Calls work(state with ghosts as it was, the same without ghosts to be changed).
+template <class Work>
+PetscErrorCode change(DM dm, Vec state, Work&& work) {
+  PetscFunctionBeginUser;
+  GhostedArray u;
+  double* owned;
+  PetscCall(u.open(dm, state));
+  PetscCall(VecGetArray(state, &owned));
+  work(u.data(), owned);
+  PetscCall(VecRestoreArray(state, &owned));
+  PetscCall(u.close());
+  PetscFunctionReturn(0);
+}
+
 /// Collects the columns of each row.
 class RowColumns : public EntrySink {
  public:
@@ -251,37 +265,21 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
 
 PetscErrorCode DiscreteProblem::lag_friction(Vec state, double dt) const {
   PetscFunctionBeginUser;
-  GhostedArray u;
-  double* x;
-  PetscCall(u.open(dm_, state));
-  PetscCall(VecGetArray(state, &x));
-  model_->relax_chi(u.data(), dt / (dt + setup_.solids.friction.tau), x);
-  PetscCall(VecRestoreArray(state, &x));
-  PetscCall(u.close());
+  const double share = dt / (dt + setup_.solids.friction.tau);
+  PetscCall(change(dm_, state, [&](const double* u, double* owned) { model_->relax_chi(u, share, owned); }));
   PetscFunctionReturn(0);
 }
 
 PetscErrorCode DiscreteProblem::raise_temperature(Vec guess, double dt) const {
   PetscFunctionBeginUser;
-  GhostedArray u;
-  double* x;
-  PetscCall(u.open(dm_, guess));
-  PetscCall(VecGetArray(guess, &x));
-  model_->raise_temperature(u.data(), dt, x);
-  PetscCall(VecRestoreArray(guess, &x));
-  PetscCall(u.close());
+  if (setup_.model.temperature != TemperatureModel::transport) PetscFunctionReturn(0);
+  PetscCall(change(dm_, guess, [&](const double* u, double* owned) { model_->raise_temperature(u, dt, owned); }));
   PetscFunctionReturn(0);
 }
 
 PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
   PetscFunctionBeginUser;
-  GhostedArray u;
-  double* owned;
-  PetscCall(u.open(dm_, state));
-  PetscCall(VecGetArray(state, &owned));
-  model_->impose_gas(u.data(), owned);
-  PetscCall(VecRestoreArray(state, &owned));
-  PetscCall(u.close());
+  PetscCall(change(dm_, state, [&](const double* u, double* owned) { model_->impose_gas(u, owned); }));
   PetscFunctionReturn(0);
 }
 

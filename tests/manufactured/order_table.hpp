@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "scree/closures/gas.hpp"
+
 namespace scree::test {
 
 /// Errors of one unknown over a sequence of grids or steps, each twice as fine as the one before.
@@ -14,6 +16,11 @@ struct OrderRow {
   std::vector<double> steps;           ///< cells along an axis, or steps
   std::string what = "grids";          ///< "grids" or "steps"
 };
+
+/// A gas model in the names of rows.
+inline std::string gas_name(GasModel gas) {
+  return gas == GasModel::none ? "no gas" : gas == GasModel::darcy ? "darcy" : "incompressible";
+}
 
 class OrderTable {
  public:

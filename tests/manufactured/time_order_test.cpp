@@ -143,10 +143,9 @@ TEST_P(TimeOrder, EachUnknown) {
     MovingProblem problem(setup, exact, c.scheme, end / count);
     for (const auto& [symbol, error] : problem.errors_at_end()) errors[symbol].push_back(error);
   }
-  const char* gas_names[] = {"no gas", "darcy", "incompressible"};
   for (const auto& [symbol, error] : errors) {
     const double expected = symbol == "p_g" ? c.pressure_order : c.order;
-    OrderRow row{c.scheme + ", " + std::to_string(c.dim) + "-D, " + gas_names[static_cast<int>(c.gas)],
+    OrderRow row{c.scheme + ", " + std::to_string(c.dim) + "-D, " + gas_name(c.gas),
                  symbol,
                  error,
                  error,

@@ -35,7 +35,6 @@ class Simulation {
     double dt_max = 0;          ///< [s]
   };
 
-  static ProblemSetup problem_setup(const Case& scene);
   static StepControl step_control(const Case& scene);
   void start_new();
   void restart();

@@ -11,31 +11,17 @@
 #include <cstdio>
 
 #include "../../support/sample_problem.hpp"
+#include "scree/app/problem_setup.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
 
 namespace scree::test {
 namespace {
 
-/// As the program sets it up, for a scene without gas; friction is coupled, however the run had it.
-ProblemSetup setup_of(const Case& scene) {
-  ProblemSetup setup;
-  setup.box = scene.box;
-  setup.segments = scene.segments;
-  setup.plates = scene.plates;
-  setup.model = scene.model;
-  setup.solids = {scene.kinetic,
-                  scene.friction,
-                  scene.model.temperature,
-                  scene.model.temperature_value,
-                  scene.model.temperature_floor,
-                  scene.gas};
-  setup.solids.friction.lagged = false;
-  const double g = std::abs(scene.model.gravity[1]);
-  setup.scales.velocity = std::sqrt(g * scene.kinetic.d);
-  setup.scales.time = setup.scales.velocity / g;
-  setup.scales.density = scene.kinetic.rho_s;
-  return setup;
+/// As the program sets it up; friction is coupled, however the run had it.
+ProblemSetup setup_of(Case scene) {
+  scene.friction.lagged = false;
+  return problem_setup(scene);
 }
 
 /// -dF/dU and dF/d(dU/dt) at a state.
