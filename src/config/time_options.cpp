@@ -12,10 +12,10 @@ void declare_time(OptionSet& o, TimeParameters& time) {
          "relative local error that a step may make");
   o.boolean("time_step_adaptive", time.adaptive, "no: all steps are time_step_initial");
   o.real("time_step_initial", time.step_initial, "s", positive(), "first step");
-  const std::string fixed = "time_step_adaptive is no";
-  o.real("time_step_min", time.step_min, "s", positive(), "the run ends with an error below this step")
-      .used_if(time.adaptive, fixed);
-  o.real("time_step_max", time.step_max, "s", positive(), "longest step").used_if(time.adaptive, fixed);
+  o.real("time_step_min", time.step_min, "s", positive(),
+         "the run ends with an error where only steps below this would work, also where fixed steps are cut");
+  o.real("time_step_max", time.step_max, "s", positive(), "longest step")
+      .used_if(time.adaptive, "time_step_adaptive is no");
 }
 
 }  // namespace scree
