@@ -101,7 +101,8 @@ void Simulation::restart() {
   check_petsc(stepper_->restart_after_event(), "restart");
   stepper_->history() = {saved.scalar("dt_next"),
                          {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
-                         static_cast<int>(saved.scalar("easy_steps"))};
+                         static_cast<int>(saved.scalar("easy_steps")),
+                         saved.scalar("dt_bound")};
   check_petsc(stepper_->set_time(time), "restart");
   totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
              saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
@@ -261,6 +262,7 @@ void Simulation::write_checkpoint() {
                            {"dt_past_0", history.dt_past[0]},
                            {"dt_past_1", history.dt_past[1]},
                            {"easy_steps", history.easy_steps},
+                           {"dt_bound", history.dt_bound},
                            {"steps", totals_.steps},
                            {"newton", totals_.newton},
                            {"krylov", totals_.krylov},
