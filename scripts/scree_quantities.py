@@ -2,6 +2,7 @@
 import json
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 import plot_bin_discharge
@@ -10,6 +11,7 @@ import scree_output
 
 HEIGHTS = np.linspace(0, plot_bin_discharge.ABOVE, 201)  # of the profiles above the orifice plane [cm]
 UNITS = {"rate": "g/s", "bottom": "cm", "top": "cm", "width": "cm", "area": "cm2"}
+SAME_BUBBLE = 0.05  # difference, as a part of the width, up to which a contour is that of the bubble found
 FIRST = 0.1  # [s], the start whose cost is told apart
 
 
@@ -40,9 +42,27 @@ def without_chi(directory):
 
 
 def bubble_quantities(directory, window):
-    """bottom, top, width [cm] and area [cm2] of the bubble at the end, which steps hit exactly."""
-    found = plot_bubble_rise.bubble(scree_output.last_fields(directory))
+    """bottom, top, width [cm] and area [cm2] of the bubble at the end, which steps hit exactly.
+
+    The region of plot_bubble_rise counts parts of cells, 2 % of the width on a coarse grid: its ends are taken from the
+    contour instead. A bubble that still stands on the floor has no closed one, and keeps what was counted."""
+    fields = scree_output.last_fields(directory)
+    found = plot_bubble_rise.bubble(fields)
+    for loop in closed_contours(*plot_bubble_rise.full_width(fields)):
+        (left, bottom), (right, top) = loop.min(axis=0), loop.max(axis=0)
+        ends = dict(bottom=bottom, top=top, width=right - left)
+        if all(abs(ends[name] - found[name]) < SAME_BUBBLE * found["width"] for name in ends):
+            found.update(ends)
+            break
     return {name: np.array([value]) for name, value in found.items()}
+
+
+def closed_contours(x, y, nu):
+    """The closed lines on which nu has the level of the bubble: arrays of points [cm]."""
+    figure, axes = plt.subplots()
+    segments = axes.contour(x, y, nu, [plot_bubble_rise.LEVEL]).allsegs[0]
+    plt.close(figure)
+    return [segment for segment in segments if len(segment) > 3 and np.allclose(segment[0], segment[-1])]
 
 
 def quantities(read, directory, window):

@@ -83,7 +83,7 @@ def band(axes, doubt):
     """The errors that cannot be told from zero, in grey, and axes with room around the points."""
     low, high = axes.get_ylim()
     low, high = min(low, 50 * doubt if doubt > 0 else low), max(high, 200 * doubt)
-    axes.set_ylim(low, high)
+    axes.set_ylim(low, 1.2 * high)  # labels above the highest point
     if doubt > 0:
         axes.axhspan(low, 100 * doubt, color="0.88", zorder=0)
     for axis in (axes.xaxis, axes.yaxis):

@@ -449,6 +449,7 @@ def main():
     except (Interrupted, KeyboardInterrupt):
         stopped = True
         print("\ninterrupted: the run under way is thrown away; start again to go on")
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     evaluate(runs, settings, name, given.out)
     sys.exit(130 if stopped else 0)
 
