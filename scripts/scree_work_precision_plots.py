@@ -168,8 +168,8 @@ def legend(figure, rows, remark):
     handles += [Line2D([], [], color="0.3", marker=MARKERS[key], linestyle="", label=key)
                 for key in used("time_scheme", MARKERS)]
     handles += [plt.Rectangle((0, 0), 1, 1, color="0.88", label="uncertainty (hollow: within it)")]
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), fontsize=9.5, title=remark, title_fontsize=9.5,
-                  ncol=3 if len(handles) > 4 else len(handles))
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), fontsize=9.5, title=remark,
+                  title_fontsize=9.5, ncol=3 if len(handles) > 4 else len(handles))
 
 
 # ---- models, presets ----
