@@ -1,0 +1,399 @@
+"""What a run costs and how far it is off: orders and extrapolation over grids, errors of grid, time step and model, and
+the cheapest setting for an accuracy. Numbers only; the pictures are in scree_work_precision_plots.py."""
+import csv
+import dataclasses
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+#: Orders outside of this are not believed: below, the extrapolation runs away; above, no scheme here can do it.
+ORDER_RANGE = (0.5, 2.0)
+#: Part of its own correction that an extrapolated value is taken to be wrong by at least (Roache's factor is 1.25).
+CORRECTION_DOUBT = 0.25
+#: Among runs of the same accuracy the one whose time scheme stands first here is the reference of the others.
+SCHEMES_BY_ORDER = ("arkimex", "bdf", "beuler")
+TARGETS = (0.10, 0.03, 0.01)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What distinguishes the runs of a case. solver "" is the program's default for the gas."""
+
+    grid: str
+    advection: str = "upwind"
+    time_scheme: str = "beuler"
+    accuracy: float = 1e-2
+    time_step_max: float = 1e-2  # [s]
+    friction_model: str = "relaxed"
+    granular_temperature: str = "transport"
+    gas: str = "none"
+    width: str = "half"
+    solver: str = ""
+    ranks: int = 1
+
+    @property
+    def preset(self):
+        return self.solver or ("multigrid" if self.gas == "none" else "fieldsplit")
+
+    @property
+    def model(self):
+        return self.friction_model, self.granular_temperature, self.gas, self.width
+
+    def but(self, **changes):
+        """With `changes`; the default preset under its own name is the default preset."""
+        changed, by_default = dataclasses.replace(self, **changes), dataclasses.replace(self, **{**changes, "solver": ""})
+        return by_default if changed.preset == by_default.preset else changed
+
+    def label(self, usual):
+        """Short and fit for a directory: grid, schemes, accuracy, and in what else it differs from `usual`."""
+        parts = [self.grid.replace(" ", ""), self.advection, self.time_scheme, f"{self.accuracy:.0e}"]
+        if self.time_step_max != usual.time_step_max:
+            parts.append(f"dt{1e3 * self.time_step_max:g}ms")
+        parts += [value for value, default in zip(self.model[:2], usual.model[:2]) if value != default]
+        parts += [f"gas-{self.gas}"] if self.gas != usual.gas else []
+        parts += [f"{self.width}-width"] if self.width != usual.width else []
+        parts += [self.solver] if self.solver else []
+        parts += [f"{self.ranks}ranks"] if self.ranks > 1 else []
+        return "_".join(parts)
+
+
+@dataclass
+class Row:
+    """A run. cost: name -> number; values: quantity -> array, of one number or along a line (NaN where the model has
+    none). errors: kind ("total", "time", "model") -> quantity -> relative error; doubts likewise: what it is uncertain
+    by."""
+
+    setting: Setting
+    cell_size: float  # root of the mean cell area [cm]
+    cost: dict
+    values: dict
+    errors: dict = field(default_factory=lambda: {"total": {}, "time": {}, "model": {}})
+    doubts: dict = field(default_factory=lambda: {"total": {}, "time": {}})
+
+    def error(self, kind, quantity):
+        return self.errors[kind].get(quantity, math.nan)
+
+    def doubt(self, kind, quantity):
+        return self.doubts[kind].get(quantity, math.nan)
+
+
+@dataclass
+class Reference:
+    """What the errors of grid are measured against: value, its relative uncertainty, and where it comes from."""
+
+    value: np.ndarray
+    doubt: float
+    order: float
+    how: str
+
+
+# ---- extrapolation over grids ----
+
+
+def size(values):
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def difference_ratio(order, sizes):
+    """(f3 - f2)/(f2 - f1) of an error that goes with cell size to `order`; sizes from fine to coarse."""
+    fine, middle, coarse = (h**order for h in sizes)
+    return (coarse - middle) / (middle - fine)
+
+
+def observed_order(sizes, values):
+    """The order that three grids show, clipped to ORDER_RANGE, and whether it is regular: the differences have one
+    direction and shrink. Cell sizes from fine to coarse; values may be profiles."""
+    first, second = values[1] - values[0], values[2] - values[1]
+    if size(first) == 0:
+        return ORDER_RANGE[1], True
+    ratio = size(second) / size(first)
+    # An error of order 0, the logarithm of h, is what differences that only just shrink would look like.
+    no_order = math.log(sizes[2] / sizes[1]) / math.log(sizes[1] / sizes[0])
+    if np.mean(first * second) <= 0 or ratio <= no_order:
+        return 1.0, False
+    low, high = ORDER_RANGE
+    if ratio <= difference_ratio(low, sizes):
+        return low, True
+    if ratio >= difference_ratio(high, sizes):
+        return high, True
+    for _ in range(60):  # the ratio grows with the order
+        middle = (low + high) / 2
+        low, high = (middle, high) if difference_ratio(middle, sizes) < ratio else (low, middle)
+    return (low + high) / 2, True
+
+
+def extrapolated(sizes, values, order):
+    """Richardson's value at cell size 0 from the two finest grids."""
+    return values[0] + (values[0] - values[1]) / ((sizes[1] / sizes[0]) ** order - 1)
+
+
+@dataclass
+class Series:
+    """Runs of one advection scheme over grids, from fine to coarse."""
+
+    advection: str
+    sizes: list
+    values: list
+
+    def limit(self):
+        """Extrapolated value, order, whether that is regular."""
+        order, regular = observed_order(self.sizes, self.values) if len(self.sizes) > 2 else (1.0, False)
+        return extrapolated(self.sizes, self.values, order), order, regular
+
+
+def plain(rows, usual):
+    """Runs that differ from the default in grid, advection, time only, and with its time scheme and longest step."""
+    same = ("time_scheme", "time_step_max", "friction_model", "granular_temperature", "gas", "width", "solver", "ranks")
+    return [row for row in rows
+            if all(getattr(row.setting, name) == getattr(usual, name) for name in same)]
+
+
+def reference_accuracy(rows):
+    """The accuracy at which some scheme has the finest three grids; among equals the tightest."""
+    best = None
+    for accuracy in sorted({row.setting.accuracy for row in rows}):
+        for advection in {row.setting.advection for row in rows}:
+            found = sorted(row.cell_size for row in rows if row.setting.accuracy == accuracy
+                           and row.setting.advection == advection)[:3]
+            if len(found) > 1:
+                key = (len(found) < 3, *found)
+                best = min(best, (key, accuracy)) if best else (key, accuracy)
+    return best[1] if best else None
+
+
+def grid_series(rows, quantity, accuracy):
+    """The series of each advection scheme with two grids or more, at one accuracy."""
+    result = []
+    for advection in sorted({row.setting.advection for row in rows}):
+        chosen = sorted((row for row in rows if row.setting.advection == advection and row.setting.accuracy == accuracy
+                         and np.all(np.isfinite(row.values[quantity]))), key=lambda row: row.cell_size)[:3]
+        if len(chosen) > 1:
+            result.append(Series(advection, [row.cell_size for row in chosen], [row.values[quantity] for row in chosen]))
+    return result
+
+
+def grid_reference(rows, quantity, usual):
+    """The value without error of grid, or None where there are fewer than two grids.
+
+    Richardson's extrapolation of the advection scheme that it moves least; if its order is irregular the mean of the
+    schemes' extrapolations. Uncertain by half the distance of the schemes' extrapolations, at least CORRECTION_DOUBT of
+    the correction, plus what the steps in time of these runs make."""
+    rows = plain(rows, usual)
+    accuracy = reference_accuracy(rows)
+    series = grid_series(rows, quantity, accuracy) if accuracy else []
+    if not series:
+        return None
+    finest = min(one.sizes[0] for one in series)
+    limits = [(*one.limit(), one) for one in series]
+    # A scheme that was run on coarser grids only cannot be the better one.
+    correction, best = min(((size(limit[0] - limit[3].values[0]), limit) for limit in limits if limit[3].sizes[0] == finest),
+                           key=lambda pair: pair[0])
+    value, order, regular, one = best
+    spread = max(size(limit[0] - value) for limit in limits) / 2
+    irregular = "orders irregular" if len(one.sizes) > 2 else "two grids only, order 1 assumed"
+    if regular:
+        doubt, how = max(spread, CORRECTION_DOUBT * correction), f"{one.advection}, order {order:.2f}"
+    elif len(limits) > 1:
+        value = np.mean([limit[0] for limit in limits], axis=0)
+        doubt, how = max(spread, CORRECTION_DOUBT * correction), f"{irregular}: mean of the schemes"
+    else:
+        doubt, how = correction, f"{one.advection}, {irregular}"
+    doubt += time_part(rows, quantity, accuracy, one.advection)
+    how += f"; finest cells {finest:.2g} cm, accuracy {accuracy:g}"
+    return Reference(value, doubt / size(value) if size(value) else math.nan, order, how)
+
+
+def time_part(rows, quantity, accuracy, advection):
+    """What runs at this accuracy differ by from the tightest, on the finest grid that has both."""
+    rows = [row for row in rows if row.setting.advection == advection and np.all(np.isfinite(row.values[quantity]))]
+    at = {row.setting.grid: row for row in rows if row.setting.accuracy == accuracy}
+    tighter = [row for row in rows if row.setting.accuracy < accuracy and row.setting.grid in at]
+    if not tighter:
+        return 0.0
+    best = min(tighter, key=lambda row: (row.cell_size, row.setting.accuracy))
+    return size(best.values[quantity] - at[best.setting.grid].values[quantity])
+
+
+# ---- errors ----
+
+
+def relative(value, reference):
+    """Distance over size, NaN where either is missing."""
+    scale = size(reference)
+    return size(value - reference) / scale if scale > 0 else math.nan
+
+
+def add_errors(rows, usual):
+    """Fills errors and doubts of all rows; returns quantity -> Reference (or None) of the errors of grid."""
+    references = {name: grid_reference(rows, name, usual) for name in quantities(rows)}
+    for name, reference in references.items():
+        for row in rows if reference else []:
+            # Another model has another limit.
+            if row.setting.model == usual.model:
+                row.errors["total"][name] = relative(row.values[name], reference.value)
+                row.doubts["total"][name] = reference.doubt
+        add_time_errors(rows, name, usual)
+        add_model_errors(rows, name)
+    return references
+
+
+def quantities(rows):
+    return list(dict.fromkeys(name for row in rows for name in row.values))
+
+
+def add_time_errors(rows, name, usual):
+    """Errors against the tightest run of the same grid, advection and model. It is itself uncertain by its distance from
+    the tightest of the other schemes, or else from the next accuracy."""
+    groups = {}
+    for row in rows:
+        groups.setdefault((row.setting.grid, row.setting.advection, row.setting.model), []).append(row)
+    for group in groups.values():
+        usual_step = usual.time_step_max
+        candidates = sorted((row for row in group if row.setting.time_step_max == usual_step and not row.setting.solver
+                             and row.setting.ranks == 1),
+                            key=lambda row: (row.setting.accuracy, SCHEMES_BY_ORDER.index(row.setting.time_scheme)))
+        if len({row.setting.accuracy for row in candidates}) < 2:
+            continue
+        best = candidates[0]
+        rivals = [row for row in candidates[1:] if row.setting.accuracy == best.setting.accuracy] or [
+            next(row for row in candidates if row.setting.accuracy > best.setting.accuracy)]
+        doubt = max(relative(row.values[name], best.values[name]) for row in rivals)
+        for row in group:
+            if row is not best:
+                row.errors["time"][name] = relative(row.values[name], best.values[name])
+                row.doubts["time"][name] = doubt
+
+
+def fuller(setting, rows):
+    """The run of the full model with which a simpler one is to be compared, or None: the same gas with everything else
+    in full; where that is so, the gas with inertia."""
+    if setting.solver or setting.ranks > 1:
+        return None
+    wanted = setting.but(friction_model="relaxed", granular_temperature="transport", width="half")
+    if wanted == setting:
+        wanted = setting.but(gas="incompressible")
+    return next((row for row in rows if row.setting == wanted and wanted != setting), None)
+
+
+def add_model_errors(rows, name):
+    for row in rows:
+        full = fuller(row.setting, rows)
+        if full:
+            row.errors["model"][name] = relative(row.values[name], full.values[name])
+
+
+# ---- what is written ----
+
+COST_NAMES = ("steps", "newton", "krylov", "cpu_s", "cpu_residual_s", "cpu_jacobian_s", "cpu_setup_s", "cpu_krylov_s",
+              "wall_s", "memory_per_rank_MB", "cpu_s_first_0.1_s", "cpu_s_per_s_late")
+
+
+def write_csv(path, case, rows, units, usual):
+    """A row a run: setting, cost, quantities (profiles by their root mean square) and their errors, in per cent of the
+    reference. units: quantity -> unit."""
+    names = quantities(rows)
+    head = ["case", "label", *(f.name for f in dataclasses.fields(Setting)), "cell_size_cm", *COST_NAMES]
+    head += [f"{name} [{units.get(name, '-')}]" for name in names]
+    for name in names:
+        head += [f"error_total {name} [%]", f"uncertainty {name} [%]", f"error_time {name} [%]",
+                 f"uncertainty_time {name} [%]", f"error_model {name} [%]"]
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(head)
+        for row in rows:
+            values = {**dataclasses.asdict(row.setting), "solver": row.setting.preset}
+            cells = [case, row.setting.label(usual), *values.values(), number(row.cell_size)]
+            cells += [number(row.cost.get(name, math.nan)) for name in COST_NAMES]
+            cells += [number(size(row.values[name])) for name in names]
+            for name in names:
+                found = (row.error("total", name), row.doubt("total", name), row.error("time", name),
+                         row.doubt("time", name), row.error("model", name))
+                cells += [number(100 * value) for value in found]
+            writer.writerow(cells)
+
+
+def number(value):
+    return f"{value:.5g}" if math.isfinite(value) else ""
+
+
+@dataclass
+class Choice:
+    """The cheapest run within `target`, or the one nearest to it."""
+
+    target: float
+    row: Row
+    error: float
+    doubt: float
+
+    @property
+    def reached(self):
+        return self.error <= self.target
+
+    @property
+    def certain(self):
+        return self.error + self.doubt <= self.target
+
+
+def worst(row, names, kind="total"):
+    """The greatest error of the quantities, and the uncertainty that it has; infinite where one is missing."""
+    pairs = [(row.error(kind, name), row.doubt(kind, name)) for name in names]
+    return max(pairs) if pairs and all(math.isfinite(error) for error, _ in pairs) else (math.inf, math.nan)
+
+
+def choices(rows, names, targets=TARGETS):
+    """For each target the cheapest run whose greatest error of the quantities `names` is within it."""
+    judged = [(*worst(row, names), row) for row in rows]
+    judged = [(error, doubt, row) for error, doubt, row in judged if math.isfinite(error)]
+    result = []
+    for target in targets if judged else []:
+        within = [item for item in judged if item[0] <= target]
+        error, doubt, row = (min(within, key=lambda item: item[2].cost["cpu_s"]) if within
+                             else min(judged, key=lambda item: (item[0], item[2].cost["cpu_s"])))
+        result.append(Choice(target, row, error, doubt))
+    return result
+
+
+def choice_text(case, rows, references, usual):
+    """The page choice.md."""
+    names = quantities(rows)
+    lines = [f"# {case}: which setting for which error", "",
+             "CPU seconds of all ranks. Errors are relative, against values extrapolated over the grids: "
+             "`~` marks an error that its uncertainty leaves open, `>` that none is within the target: the nearest.", ""]
+    heads = [f"{100 * target:g} %" for target in TARGETS]
+    lines += ["| quantity | " + " | ".join(heads) + " |", "|---|" + "---|" * len(heads)]
+    for title, group in [(name, [name]) for name in names] + [("all of them", names)]:
+        found = [choice_cell(choice, usual) for choice in choices(rows, group)] or ["-"] * len(heads)
+        lines.append(f"| {title} | " + " | ".join(found) + " |")
+    lines += ["", "## What errors are measured against", ""]
+    for name, reference in references.items():
+        lines.append(f"- {name}: " + (f"{size(reference.value):.4g} ± {100 * reference.doubt:.2g} %, {reference.how}"
+                                      if reference else "no reference: fewer than two grids"))
+    lines += ["", "## Simpler models, against the full one on the same grid", ""]
+    variants = model_variants(rows)
+    for row, full in variants:
+        errors = ", ".join(f"{name} {100 * row.error('model', name):.2g} %" for name in names
+                           if math.isfinite(row.error("model", name)))
+        lines.append(f"- {model_name(row.setting)}, {row.setting.grid}: {row.cost['cpu_s'] / full.cost['cpu_s']:.2f} "
+                     f"of the cost of {model_name(full.setting)}; off by {errors}")
+    return "\n".join(lines + ([] if variants else ["None were run."])) + "\n"
+
+
+def choice_cell(choice, usual):
+    mark = "" if choice.certain else "~ " if choice.reached else "> "
+    return (f"{mark}{choice.row.setting.label(usual)}: {choice.row.cost['cpu_s']:.3g} s, "
+            f"{100 * choice.error:.2g} ± {100 * choice.doubt:.2g} %")
+
+
+def model_variants(rows):
+    """Pairs of a simpler model and the full one."""
+    pairs = [(row, fuller(row.setting, rows)) for row in rows]
+    return [(row, full) for row, full in pairs if full]
+
+
+def model_name(setting):
+    """The model in a few words."""
+    gas = {"none": "no gas", "darcy": "darcy gas", "incompressible": "gas with inertia"}[setting.gas]
+    temperature = {"transport": "", "algebraic": ", algebraic T", "constant": ", constant T"}[setting.granular_temperature]
+    return f"{setting.friction_model}{temperature}, {gas}, {setting.width} width"

@@ -1,0 +1,458 @@
+#!/usr/bin/python3
+"""Runs a case in many settings and says what each costs and how far it is off.
+
+    scripts/speed_against_error.py cases/bin_discharge --dry-run
+    scripts/speed_against_error.py cases/bin_discharge --budget 60          # again: goes on where it stopped
+
+Into --out: runs/LABEL (output directories of the finished runs, reused while their setting is the same), runs.csv, choice.md
+and plots/. Runs go one after the other, cheapest first. An interrupted run is thrown away, a failed one is remembered:
+remove its directory to try it again. With --budget 0 nothing is run, and what is there is evaluated."""
+import argparse
+import itertools
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import scree_output
+import scree_quantities
+import scree_work_precision as work_precision
+from scree_work_precision import Setting
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# ---- what is run ----
+
+ADVECTION = ("upwind", "van_albada")
+SCHEMES = ("beuler", "bdf", "arkimex")
+ACCURACIES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3)
+PRESETS = ("ilu", "multigrid", "fieldsplit", "direct")
+PATIENCE = 600  # [s] beside twenty times the estimate, after which a run counts as failed: others may use the machine
+STRAIN_RATE_FLOOR = 10  # [1/s], which algebraic T needs
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells of the blocks of half the domain along x and y, and what -grid_refine multiplies them with."""
+
+    x: tuple
+    y: tuple
+    refine: int = 1
+
+    @property
+    def cells(self):
+        return sum(self.x) * sum(self.y) * self.refine**2
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A case and its runs. Grids are named by their cells along x, from coarse to fine."""
+
+    grids: dict
+    usual_grid: str
+    product_grids: tuple  # of the product grid x accuracy x advection ...
+    costly_grids: tuple  # ... and those where only `costly_accuracies` are run
+    costly_accuracies: tuple
+    solver_grids: tuple
+    models: tuple  # one dict of settings a variant
+    longest_steps: tuple  # [s]
+    gas: str  # of the case
+    box: tuple  # half the domain [cm]
+    full_width: dict  # options, beside the cells along x
+    read: object
+    window: tuple  # [s] of the means; runs end with it
+    field_interval: float  # [s]
+    cpu_seconds: float  # of the usual setting, for the estimates ...
+    cost_exponent: float  # ... which go with cells to this
+
+    @property
+    def usual(self):
+        return Setting(self.usual_grid, gas=self.gas)
+
+
+SIMPLER_MODELS = ({"friction_model": "critical_state"}, {"granular_temperature": "algebraic"},
+                  {"friction_model": "critical_state", "granular_temperature": "algebraic"}, {"width": "full"})
+
+BIN_GRIDS = {"4 mm": Grid((2, 8), (7, 125)), "2 mm": Grid((4, 16), (13, 250)), "1 mm": Grid((4, 16), (13, 250), 2)}
+BIN = dict(
+    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 2e-2), box=(4, 105), read=scree_quantities.bin_quantities,
+    full_width={
+        "grid_x_edges": "-4 cm, -0.7 cm, 0.7 cm, 4 cm", "boundary_centreline_kind": "wall_johnson_jackson",
+        "boundary_centreline_patch": "5 cm, 105 cm", "boundary_left_side": "x_lower", "boundary_left_kind": "open",
+        "boundary_left_patch": "0, 5 cm", "plate_floor_openings": "-0.7 cm, 0.7 cm",
+        "flux_orifice_patch": "-0.7 cm, 0.7 cm", "initial_fill_box": "-4 cm, 4 cm, 5 cm, 105 cm", "output_mirror": "1",
+    },
+)
+SCENES = {
+    "bin_discharge": Scene(
+        **BIN, grids={**BIN_GRIDS, "0.5 mm": Grid((4, 16), (13, 250), 4)}, product_grids=("4 mm", "2 mm", "1 mm"),
+        costly_grids=("0.5 mm",), costly_accuracies=(1e-2,),
+        solver_grids=("2 mm", "1 mm"), models=(*SIMPLER_MODELS, {"gas": "darcy"}, {"gas": "incompressible"}), gas="none",
+        window=(0.3, 0.5), field_interval=0.02, cpu_seconds=24, cost_exponent=1.15,
+    ),
+    "bin_discharge_fine": Scene(
+        **BIN, grids=BIN_GRIDS, product_grids=("4 mm", "2 mm"), costly_grids=("1 mm",), costly_accuracies=(3e-2, 1e-2),
+        solver_grids=("2 mm",), models=(*SIMPLER_MODELS, {"gas": "none"}, {"gas": "darcy"}), gas="incompressible",
+        window=(0.6, 0.8), field_interval=0.02, cpu_seconds=85, cost_exponent=1.5,
+    ),
+    "bubble_rise": Scene(
+        grids={"6 mm": Grid((2, 10), (67, 50)), "3 mm": Grid((3, 20), (133, 100)),
+               "1.5 mm": Grid((3, 20), (133, 100), 2)},
+        usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(3e-2, 1e-2, 3e-3),
+        solver_grids=("3 mm",), models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(1e-3, 2e-3, 5e-3),
+        gas="incompressible", box=(7, 70), read=scree_quantities.bubble_quantities,
+        full_width={"grid_x_edges": "-7 cm, -1 cm, 1 cm, 7 cm", "boundary_centreline_kind": "wall_free_slip",
+                    "boundary_slit_patch": "-1 cm, 1 cm", "initial_bed_box": "-7 cm, 7 cm, 0, 40 cm", "output_mirror": "1"},
+        window=(0.4, 0.5), field_interval=0.0, cpu_seconds=100, cost_exponent=1.4,
+    ),
+}
+
+
+def axes(scene, ranks):
+    """The matrix: axis -> rows of settings to combine; what a row does not name is as usual."""
+    solvers = [dict(grid=[grid], solver=PRESETS, ranks=ranks) for grid in scene.solver_grids]
+    return {
+        "grid": [dict(grid=scene.grids, advection=ADVECTION)],
+        "advection": [dict(advection=ADVECTION)],
+        "accuracy": [dict(accuracy=ACCURACIES)],
+        "product": [dict(grid=scene.product_grids, accuracy=ACCURACIES, advection=ADVECTION),
+                    dict(grid=scene.costly_grids, accuracy=scene.costly_accuracies, advection=ADVECTION)],
+        "time_scheme": [dict(time_scheme=SCHEMES, accuracy=ACCURACIES),
+                        dict(time_scheme=SCHEMES, grid=scene.product_grids)],
+        "time_step_max": [dict(time_step_max=scene.longest_steps)],
+        "model": [{name: [value] for name, value in {"grid": scene.usual_grid, **model}.items()}
+                  for model in ({}, *scene.models)],
+        "solver": solvers,
+    }
+
+
+AXES = ("grid", "advection", "accuracy", "product", "time_scheme", "time_step_max", "model", "solver")
+
+#: What settings cost against the usual one: for the estimates, before measured runs correct them.
+COST_FACTORS = {
+    "advection": {"van_albada": 1.3}, "time_scheme": {"arkimex": 2.5}, "friction_model": {"critical_state": 0.85},
+    "granular_temperature": {"algebraic": 0.75}, "gas": {"darcy": 2.0, "incompressible": 2.7}, "width": {"full": 2.2},
+    "solver": {"fieldsplit": 2.5, "direct": 2.5, "ilu": 1.2},
+}
+
+
+def matrix(scene, only, ranks, grids):
+    """All settings of the chosen axes, each once."""
+    found = {}
+    table = axes(scene, ranks)
+    for axis in only:
+        for row in table[axis]:
+            for values in itertools.product(*row.values()):
+                setting = scene.usual.but(**dict(zip(row, values)))
+                if setting.grid in grids:
+                    found.setdefault(setting)
+    return list(found)
+
+
+def estimate(scene, setting):
+    """CPU seconds [s], roughly."""
+    seconds = scene.cpu_seconds
+    seconds *= (scene.grids[setting.grid].cells / scene.grids[scene.usual_grid].cells) ** scene.cost_exponent
+    tightness = scene.usual.accuracy / setting.accuracy
+    seconds *= tightness ** (0.4 if tightness > 1 else 0.15)  # loose steps take more iterations
+    for name, factors in COST_FACTORS.items():
+        seconds *= factors.get(getattr(setting, name), 1) / factors.get(getattr(scene.usual, name), 1)
+    return seconds * max(1, 4e-3 / setting.time_step_max) * (1 + 0.1 * (setting.ranks - 1))
+
+
+def options(scene, setting, end_time):
+    """The program's options of a run."""
+    grid = scene.grids[setting.grid]
+    full = setting.width == "full"
+    x = (*grid.x[:0:-1], 2 * grid.x[0], *grid.x[1:]) if full else grid.x
+    result = {
+        "grid_x_cells": ", ".join(map(str, x)), "grid_y_cells": ", ".join(map(str, grid.y)), "grid_refine": grid.refine,
+        "advection": setting.advection, "time_scheme": setting.time_scheme, "accuracy": setting.accuracy,
+        "time_step_max": setting.time_step_max, "friction_model": setting.friction_model,
+        "granular_temperature": setting.granular_temperature, "gas": setting.gas, "solver": setting.preset,
+        "end_time": end_time, "output_interval": scene.field_interval, "checkpoint_interval": 0,
+    }
+    if setting.granular_temperature == "algebraic":
+        result["friction_strain_rate_floor"] = STRAIN_RATE_FLOOR
+    return {**result, **(scene.full_width if full else {})}
+
+
+# ---- running ----
+
+
+class Interrupted(Exception):
+    pass
+
+
+def interrupt(*_):
+    raise Interrupted
+
+
+class Runs:
+    """The runs of a case below a directory: starts them, keeps what is whole, reads what is there."""
+
+    def __init__(self, scene, case_file, program, directory, window):
+        self.scene, self.case_file, self.program, self.window = scene, case_file, program, window
+        self.directory = directory
+        self.case = whole_case(case_file)
+
+    def key(self, setting):
+        """What makes a run the same: its options, ranks, and the text of the case."""
+        given = {name: str(value) for name, value in options(self.scene, setting, self.window[1]).items()}
+        return {"case": self.case, "options": given, "ranks": setting.ranks}
+
+    def state(self, setting):
+        """done, failed, or missing."""
+        kept = self.directory / setting.label(self.scene.usual) / "setting.json"
+        if not kept.exists():
+            return "missing"
+        stored = json.loads(kept.read_text())
+        if stored["key"] != self.key(setting):
+            return "missing"
+        return "done" if stored["end"] == "end_time" else "failed"
+
+    def run(self, setting, seconds, patience):
+        """Runs a setting for at most `seconds`. Only a run that ended by itself, or took longer than `patience`, leaves
+        its directory. Returns how it ended; "stopped" for want of time."""
+        final = self.directory / setting.label(self.scene.usual)
+        unfinished = final.with_name(final.name + ".unfinished")
+        shutil.rmtree(unfinished, ignore_errors=True)
+        unfinished.mkdir(parents=True)
+        try:
+            end = self.ended(setting, unfinished, min(seconds, patience))
+        except BaseException:
+            shutil.rmtree(unfinished, ignore_errors=True)
+            raise
+        if end == "budget" and seconds < patience:
+            shutil.rmtree(unfinished, ignore_errors=True)
+            return "stopped"
+        (unfinished / "setting.json").write_text(json.dumps({"key": self.key(setting), "end": end}, indent=1))
+        shutil.rmtree(final, ignore_errors=True)
+        unfinished.rename(final)
+        return end
+
+    def ended(self, setting, directory, seconds):
+        """Runs the program to its end; "end_time", or in a few words why not."""
+        words = launcher(setting.ranks) + [str(self.program), str(self.case_file)]
+        for name, value in {**options(self.scene, setting, self.window[1]), "output_dir": directory / "out",
+                            "wall_clock_budget": f"{seconds:.0f}"}.items():
+            words += [f"-{name}", str(value)]
+        with open(directory / "log", "w") as log:
+            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
+                                       start_new_session=True, env=environment())
+            try:
+                process.wait()
+            except BaseException:
+                end_group(process)
+                raise
+        summary = directory / "out" / "summary.json"
+        if process.returncode != 0 or not summary.exists():
+            text = (directory / "log").read_text().strip().splitlines()
+            return f"exit code {process.returncode}: {text[-1] if text else ''}"
+        end = json.loads(summary.read_text())["end"]
+        # The checkpoint is of no use here, and as large as all fields together.
+        shutil.rmtree(directory / "out" / "checkpoints", ignore_errors=True)
+        return end if end == "end_time" else "budget"
+
+    def rows(self, settings):
+        """What the finished runs cost and gave."""
+        found = []
+        for setting in settings:
+            if self.state(setting) == "done":
+                directory = self.directory / setting.label(self.scene.usual) / "out"
+                grid = self.scene.grids[setting.grid]
+                found.append(work_precision.Row(
+                    setting, (self.scene.box[0] * self.scene.box[1] / grid.cells) ** 0.5,
+                    scree_quantities.cost(directory, self.window),
+                    scree_quantities.quantities(self.scene.read, directory, self.window)))
+        return found
+
+
+def whole_case(path):
+    """The options of a case file and of what it is based on."""
+    own = scree_output.flatten(path.read_text())
+    base = own.pop("based_on", None)
+    return {**(whole_case(path.parent / base) if base else {}), **own}
+
+
+def launcher(ranks):
+    if ranks == 1:
+        return []
+    return ["mpirun", "-n", str(ranks), "--bind-to", "none", "--oversubscribe",
+            *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
+
+
+def environment():
+    return {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+
+
+def end_group(process):
+    """Ends the program with all its ranks."""
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        try:
+            os.killpg(process.pid, number)
+            process.wait(timeout=5)
+            return
+        except ProcessLookupError:
+            return
+        except subprocess.TimeoutExpired:
+            pass
+
+
+def clock(seconds):
+    minutes = round(seconds / 60)
+    if minutes < 2:
+        return f"{seconds:.0f} s"
+    return f"{minutes // 60} h {minutes % 60:02d} min" if minutes >= 60 else f"{minutes} min"
+
+
+class Estimates:
+    """Wall seconds of runs, corrected by those measured so far."""
+
+    def __init__(self, scene, stretch):
+        self.scene, self.stretch = scene, stretch
+        self.guessed = self.measured = 0.0
+
+    def learn(self, setting, wall):
+        self.guessed += self.raw(setting)
+        self.measured += wall
+
+    def raw(self, setting):
+        ranks_at_once = min(setting.ranks, len(os.sched_getaffinity(0)))
+        return self.stretch * estimate(self.scene, setting) / ranks_at_once
+
+    def __call__(self, setting):
+        return self.raw(setting) * (self.measured / self.guessed if self.guessed else 1)
+
+
+def run_all(runs, settings, estimates, budget):
+    """Runs what is missing, cheapest first, as far as the budget [s] goes."""
+    missing = [setting for setting in settings if runs.state(setting) == "missing"]
+    print(f"{len(settings)} runs, {len(settings) - len(missing)} of them there already")
+    started = time.monotonic()
+    for number, setting in enumerate(missing, 1):
+        left = budget - (time.monotonic() - started)
+        expected = estimates(setting)
+        rest = sum(map(estimates, missing[number - 1:]))
+        label = setting.label(runs.scene.usual)
+        if expected > left:
+            print(f"the budget ends before {label} and what comes after it: {clock(rest)} more")
+            return
+        print(f"[{number}/{len(missing)}] {label}: about {clock(expected)}, with the rest {clock(rest)}", end="", flush=True)
+        begun = time.monotonic()
+        end = runs.run(setting, left, PATIENCE + 20 * expected)
+        took = time.monotonic() - begun
+        if end == "end_time":
+            estimates.learn(setting, took)
+        print(f"; took {took:.1f} s" + ("" if end == "end_time" else f", {end}"), flush=True)
+
+
+# ---- from the command line ----
+
+
+def evaluate(runs, settings, name, out):
+    """Writes the table, the choice and the pictures of what is there."""
+    rows = runs.rows(settings)
+    failed = [setting.label(runs.scene.usual) for setting in settings if runs.state(setting) == "failed"]
+    if failed:
+        print("failed: " + ", ".join(failed))
+    if not rows:
+        print("no finished runs to evaluate")
+        return
+    import scree_work_precision_plots as plots  # takes a second to load, which a dry run need not wait for
+
+    references = work_precision.add_errors(rows, runs.scene.usual)
+    work_precision.write_csv(out / "runs.csv", name, rows, scree_quantities.UNITS, runs.scene.usual)
+    text = work_precision.choice_text(name, rows, references, runs.scene.usual)
+    (out / "choice.md").write_text(text)
+    plots.draw_all(rows, references, runs.scene.usual, name, out)
+    print(f"\n{text}\n{len(rows)} runs in {out / 'runs.csv'}, pictures in {out / 'plots'}")
+
+
+def list_runs(runs, settings, estimates):
+    for setting in settings:
+        seconds = estimates.stretch * estimate(runs.scene, setting)
+        print(f"{seconds:9.0f} CPU s  {runs.state(setting):8} {setting.label(runs.scene.usual)}")
+    total = estimates.stretch * sum(estimate(runs.scene, setting) for setting in settings)
+    left = sum(estimates(setting) for setting in settings if runs.state(setting) == "missing")
+    print(f"{len(settings)} runs, {total:.0f} CPU s estimated; {clock(left)} of what is missing")
+
+
+def pair(text):
+    begin, end = map(float, text.split(","))
+    return begin, end
+
+
+def words(allowed):
+    def parse(text):
+        found = [word.strip() for word in text.split(",")]
+        unknown = [word for word in found if word not in allowed]
+        if unknown:
+            raise argparse.ArgumentTypeError(f"{', '.join(unknown)}: choose from {', '.join(allowed)}")
+        return found
+
+    return parse
+
+
+def arguments():
+    build = Path(os.environ.get("SCREE_BUILD_DIR", ROOT / "build"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", type=Path, metavar="CASE", help=", ".join(f"cases/{name}" for name in SCENES))
+    parser.add_argument("--program", type=Path, default=build / "bin" / "scree", help="default: that of scripts/build.sh")
+    parser.add_argument("--ranks", type=lambda text: [int(word) for word in text.split(",")], default=[1, 2],
+                        help="of the axis solver; all others run on 1. Default 1,2")
+    parser.add_argument("--only", type=words(AXES), default=list(AXES), help=f"axes, of {', '.join(AXES)}")
+    parser.add_argument("--grids", default="", help="grids, such as '4 mm,2 mm'; default: all of the case")
+    parser.add_argument("--window", type=pair, help="BEGIN,END [s] of the means; the runs end with it")
+    parser.add_argument("--out", type=Path, help="default: out/speed_against_error/<case>")
+    parser.add_argument("--budget", type=float, default=float("inf"), help="wall-clock minutes; default: no limit")
+    parser.add_argument("--dry-run", action="store_true", help="list the runs and what they are thought to cost")
+    given = parser.parse_args()
+    name = given.case.resolve().name
+    if name not in SCENES or not (given.case / "case.yaml").exists():
+        parser.error(f"{given.case}: the case is one of {', '.join(f'cases/{scene}' for scene in SCENES)}")
+    scene = SCENES[name]
+    try:
+        given.grids = words(scene.grids)(given.grids) if given.grids else list(scene.grids)
+    except argparse.ArgumentTypeError as error:
+        parser.error(f"--grids {error}")
+    if not given.dry_run and given.budget > 0 and not os.access(given.program, os.X_OK):
+        parser.error(f"no {given.program}: scripts/build.sh builds it, --program names another")
+    given.out = (given.out or ROOT / "out" / "speed_against_error" / name).absolute()
+    given.window = given.window or scene.window
+    return given, name, scene
+
+
+def main():
+    sys.stdout.reconfigure(line_buffering=True)  # progress is for logs too
+    given, name, scene = arguments()
+    if scene.usual_grid not in given.grids:  # the other axes go around the finest grid that is left
+        grid = given.grids[-1]
+        seconds = estimate(scene, scene.usual.but(grid=grid))
+        scene = replace(scene, usual_grid=grid, solver_grids=(grid,), cpu_seconds=seconds)
+    estimates = Estimates(scene, given.window[1] / scene.window[1])
+    settings = sorted(matrix(scene, given.only, given.ranks, given.grids), key=estimates.raw)
+    runs = Runs(scene, given.case / "case.yaml", given.program, given.out / "runs", given.window)
+    if given.dry_run:
+        list_runs(runs, settings, estimates)
+        return
+    given.out.mkdir(parents=True, exist_ok=True)
+    signal.signal(signal.SIGTERM, interrupt)
+    stopped = False
+    try:
+        run_all(runs, settings, estimates, 60 * given.budget)
+    except (Interrupted, KeyboardInterrupt):
+        stopped = True
+        print("\ninterrupted: the run under way is thrown away; start again to go on")
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    evaluate(runs, settings, name, given.out)
+    sys.exit(130 if stopped else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,91 @@
+"""What scripts/speed_against_error.py makes of runs: on rows made up with a known value, order and cost."""
+import csv
+import math
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from scree_program import Checks  # finds scripts/ too
+import scree_work_precision as work_precision
+from scree_work_precision import Row, Setting
+
+EXACT, PROFILE = 100.0, 0.6 - 0.1 * np.exp(-np.linspace(0, 3, 31))
+SIZES = {"4 mm": 0.4, "2 mm": 0.2, "1 mm": 0.1}
+ORDERS = {"upwind": 0.8, "van_albada": 1.5}
+AT_2_MM = {"upwind": 0.16, "van_albada": 0.05}  # relative errors
+
+
+def row(grid, advection="upwind", accuracy=1e-2, time_error=0.0, cpu_s=None, **more):
+    """A run with an error of its grid, and one of time that does not depend on it."""
+    error = AT_2_MM[advection] * (SIZES[grid] / 0.2) ** ORDERS[advection] + time_error
+    values = {"rate": np.array([EXACT * (1 + error)]), "profile": PROFILE * (1 + error)}
+    return Row(Setting(grid, advection, accuracy=accuracy, **more), SIZES[grid],
+               {"cpu_s": cpu_s or 0.8 / SIZES[grid] ** 2 * (1.5 if advection == "van_albada" else 1)}, values)
+
+
+checks = Checks("analysis of speed against error, made-up runs")
+usual = Setting("2 mm")
+
+# Extrapolation.
+rows = [row(grid, advection) for advection in ORDERS for grid in SIZES]
+references = work_precision.add_errors(rows, usual)
+for name, exact in (("rate", np.array([EXACT])), ("profile", PROFILE)):
+    checks.close(f"{name}: order of the better scheme", references[name].order, 1.5, absolute=1e-6)
+    checks.below(f"{name}: extrapolated value", work_precision.relative(references[name].value, exact), 1e-9)
+found = {(r.setting.grid, r.setting.advection): r.error("total", "rate") for r in rows}
+checks.close("error of upwind, 2 mm", found["2 mm", "upwind"], 0.16, absolute=1e-9)
+checks.close("error of van_albada, 1 mm", found["1 mm", "van_albada"], 0.05 / 2**1.5, absolute=1e-9)
+correction = 0.05 / 2**1.5
+checks.close("uncertainty: part of the correction", references["rate"].doubt, work_precision.CORRECTION_DOUBT * correction,
+             relative=1e-6)
+sizes = [0.1, 0.17, 0.4]  # no common factor
+order, regular = work_precision.observed_order(sizes, [np.array([1 + h**1.2]) for h in sizes])
+checks.close("order on sizes without a common factor", order, 1.2, absolute=1e-6)
+checks.true("it is regular", regular)
+checks.equal("order 3 is clipped", work_precision.observed_order(sizes, [np.array([h**3]) for h in sizes]), (2.0, True))
+swing = [np.array([value]) for value in (1.0, 2.0, 1.0)]
+checks.equal("a value that swings has no order", work_precision.observed_order(sizes, swing)[1], False)
+
+# Irregular orders: the mean of the schemes.
+swinging = [row(grid, advection) for advection in ORDERS for grid in SIZES]
+for one, value in zip(swinging, (100, 104, 101, 102, 97, 99)):
+    one.values = {"rate": np.array([float(value)])}
+reference = work_precision.add_errors(swinging, usual)["rate"]
+checks.close("irregular: mean of the extrapolations 98 and 101", float(reference.value[0]), 99.5, absolute=1e-9)
+checks.close("irregular: half of their distance", reference.doubt * 99.5, 1.5, absolute=1e-9)
+
+# Time, models.
+rows += [row("2 mm", accuracy=1e-1, time_error=0.03), row("2 mm", accuracy=1e-3, time_error=-0.001, cpu_s=90.0),
+         row("2 mm", accuracy=1e-3, time_error=-0.002, cpu_s=80.0, time_scheme="bdf")]
+simple = row("2 mm", friction_model="critical_state", time_error=0.02, cpu_s=10.0)
+with_gas = row("2 mm", gas="incompressible", time_error=0.01, cpu_s=60.0)
+work_precision.add_errors(rows + [simple, with_gas], usual)
+loose = next(r for r in rows if r.setting.accuracy == 1e-1)
+checks.close("error of time against the scheme of higher order", loose.error("time", "rate"), 0.032 / 1.158, relative=1e-9)
+checks.close("its uncertainty: distance of the schemes", loose.doubt("time", "rate"), 0.001 / 1.158, relative=1e-9)
+checks.close("error of the simpler model", simple.error("model", "rate"), 0.02 / 1.16, relative=1e-9)
+checks.true("a simpler model has no error of grid", math.isnan(simple.error("total", "rate")))
+plain = next(r for r in rows if r.setting == usual)
+checks.close("without gas against with gas", plain.error("model", "rate"), 0.01 / 1.17, relative=1e-9)
+
+# Choice.
+names = ["rate", "profile"]
+ten, three, one = work_precision.choices(rows, names)
+checks.equal("10 %: cheapest", (ten.row.setting.grid, ten.row.setting.advection), ("2 mm", "van_albada"))
+checks.equal("3 %: cheapest", (three.row.setting.grid, three.row.setting.advection), ("1 mm", "van_albada"))
+checks.true("3 % is reached", three.reached)
+checks.true("1 % is not reached: the nearest", not one.reached and one.row is three.row)
+named = {Setting("2 mm", gas="none", solver="multigrid").but(ranks=1), usual.but(solver="multigrid")}
+checks.equal("the default preset by its name is the default", named, {usual})
+
+# Files.
+page = work_precision.choice_text("made up", rows + [simple, with_gas], references, usual)
+checks.true("choice.md names the simpler model", "critical_state" in page)
+with tempfile.TemporaryDirectory() as directory:
+    path = Path(directory) / "runs.csv"
+    work_precision.write_csv(path, "made up", rows, {"rate": "g/s"}, usual)
+    table = list(csv.DictReader(path.open()))
+checks.equal("runs.csv: rows", len(table), len(rows))
+checks.close("runs.csv: error of the usual run [%]", float(table[0]["error_total rate [%]"]),
+             100 * rows[0].error("total", "rate"), relative=1e-4)
+checks.verdict()
