@@ -14,8 +14,9 @@ namespace {
 /// two iterations may double, one of eight keeps its length.
 constexpr int easy_newton = 4, hard_newton = 8;
 double growth(int newton) { return newton >= hard_newton ? 0.8 : std::min(2.0, 1 + (hard_newton - newton) / 6.0); }
-/// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
-constexpr int easy_before_extrapolation = 3;
+/// The first guess is extrapolated where that would have met the last state within this share of its distance from the
+/// one before: elsewhere extrapolation causes most of the failures.
+constexpr double extrapolation_hit = 0.5;
 constexpr double solver_reduction = 0.25;
 /// After the solver failed, steps stay below this share of the one it failed at until so many were easy in a row.
 /// Otherwise they grow into the same failure again and again.
@@ -195,8 +196,7 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
 
   double dt;
   PetscCall(TSGetTimeStep(self.ts_, &dt));
-  if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 &&
-      self.history_.easy_steps >= easy_before_extrapolation) {
+  if (self.extrapolates_ && reason >= 0) {
     const double ratio = dt / self.history_.dt_past[0];
     PetscCall(VecAXPBYPCZ(guess, 1 + ratio, -ratio, 0, self.guess_, self.past_[0]));
   }
@@ -287,6 +287,22 @@ PetscErrorCode TimeStepper::norm_of_evolving(Vec difference, double* norm) const
   PetscFunctionReturn(0);
 }
 
+/// Whether the last state lies near the line through the two before it.
+PetscErrorCode TimeStepper::goes_straight(bool* straight) {
+  PetscFunctionBeginUser;
+  *straight = false;
+  const auto [d1, d2] = history_.dt_past;
+  if (control_.scheme != "beuler" || !control_.extrapolate || d2 <= 0) PetscFunctionReturn(0);
+  double miss, change;
+  PetscCall(VecWAXPY(predicted_, -1, state_, past_[0]));
+  PetscCall(VecNorm(predicted_, NORM_2, &change));
+  PetscCall(VecAXPBY(predicted_, -d1 / d2, 1, past_[1]));
+  PetscCall(VecAXPY(predicted_, d1 / d2, past_[0]));
+  PetscCall(VecNorm(predicted_, NORM_2, &miss));
+  *straight = miss < extrapolation_hit * change;
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscFunctionBeginUser;
   PetscInt newton[2], krylov[2], failures[2];
@@ -352,6 +368,7 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   PetscFunctionBeginUser;
   *report = StepReport();
   limits_.reset();
+  PetscCall(goes_straight(&extrapolates_));
   PetscCall(VecCopy(state_, guess_));  // guess_ holds the state at the start of the step
   double dt = control_.adaptive ? history_.dt_next : control_.step_initial;
   const double planned = dt;

@@ -79,7 +79,8 @@ Number wall_sqrt_temperature(const Number& nu, const Number& sqrt_T, const Numbe
   const Number B = wall.specularity * slip_speed_squared * rate;
   const Number C = conduction * sqrt_T * sqrt_T * sqrt_T;
   const double a = value_of(A), b = value_of(B), c = value_of(C);
-  if (!(c > 0)) return sqrt_T;                                               // nothing conducts
+  constexpr double nothing = 1e-150;  // where c goes to rounding and its quotients overflow: nu of 1e-315 exists
+  if (!(c > nothing)) return sqrt_T;
   double x = std::sqrt(std::max(b, 0.0) / a) + std::cbrt(c / a), slope = 0;  // b < 0 where nu is, by rounding
   for (int iteration = 0; iteration < 50; ++iteration) {
     slope = 3 * a * x * x - b;

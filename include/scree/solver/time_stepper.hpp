@@ -16,7 +16,7 @@ struct StepControl {
   double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales; it counts nu,
                             ///< v, T and chi, or u in scenes where it alone can change: p_g has no error of its own
   bool adaptive = true;     ///< false: every step is step_initial
-  bool extrapolate = true;  ///< first guess of Newton's method after several easy steps
+  bool extrapolate = true;  ///< first guess of Newton's method where states follow a line
 };
 
 /// What a step took.
@@ -80,6 +80,7 @@ class TimeStepper {
   PetscErrorCode continuity_correction(SNES snes, double* correction) const;
   PetscErrorCode local_error(double dt, double* error);
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
+  PetscErrorCode goes_straight(bool* straight);
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
   PetscErrorCode age_preconditioner(double dt);
   void choose_next_step(double dt, const StepReport& report);
@@ -95,6 +96,7 @@ class TimeStepper {
   bool finds_slope_ = false;           ///< TSARKIMEX begins with a step of the same length to find its first slope
   VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
+  bool extrapolates_ = false;  ///< the first guess of this step
   bool reuses_preconditioner_ = true;
   /// The preconditioner in use: a step of which size it was made for (0: none yet) and the Krylov iterations a Newton
   /// iteration took with it, in the step it was made in and in the last one.
