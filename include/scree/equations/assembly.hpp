@@ -205,8 +205,9 @@ struct Assembly {
     }
 
     /// The matrix is larger than the caches, and the rows of one anchor lie far apart: asks for the part of a row,
-    /// `count` entries from `at` on, that this kernel will want at the next anchor.
-    void prefetch(const std::int32_t* at, std::size_t count) const {
+    /// `count` entries from `at` on, that this kernel will want at the next anchor. Inlined by force: as a function
+    /// without effect the compiler would drop it.
+    [[gnu::always_inline]] void prefetch(const std::int32_t* at, std::size_t count) const {
       const std::int32_t* next = at + anchor_entries;
       if (next + count > end) return;
       for (const std::int32_t entry : {next[0], next[count / 2], next[count - 1]})
