@@ -36,13 +36,16 @@ class DevelopedFlow {
   DevelopedFlow(const DevelopedFlow&) = delete;
   DevelopedFlow& operator=(const DevelopedFlow&) = delete;
 
+  /// Set-up and one application: smoothers of multigrid factorise when they are first asked for.
   void set_up() {
     // The matrix as after a new Jacobian: otherwise the set-up that is there would do.
     check(MatAssemblyBegin(problem_.matrix(), MAT_FINAL_ASSEMBLY));
     check(MatAssemblyEnd(problem_.matrix(), MAT_FINAL_ASSEMBLY));
     check(KSPSetOperators(ksp_, problem_.matrix(), problem_.matrix()));
     check(KSPSetUp(ksp_));
-    check(KSPSetUpOnBlocks(ksp_));
+    PC pc;
+    check(KSPGetPC(ksp_, &pc));
+    check(PCApply(pc, right_, solution_));
   }
   void solve() { check(KSPSolve(ksp_, right_, solution_)); }
   int iterations() const {
