@@ -67,10 +67,11 @@ void Barriers::mark_plates(const std::vector<Plate>& plates) {
 
 void Barriers::mark_neighbourhood() {
   const Lattice& grid = *lattice_;
+  const int reach = grid.owned_first[0] - grid.ghosted_first[0];
   Index first, count{{1, 1, 1}};
   for (int axis = 0; axis < grid.dim; ++axis) {
-    first[axis] = -halo;
-    count[axis] = 2 * halo + 1;
+    first[axis] = -reach;
+    count[axis] = 2 * reach + 1;
   }
   for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
     for (int axis = 0; axis < grid.dim; ++axis) {

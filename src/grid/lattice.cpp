@@ -50,21 +50,11 @@ bool Lattice::is_ghosted(const Index& I) const {
   return true;
 }
 
-bool Lattice::inside(const Index& I) const {
-  for (int axis = 0; axis < dim; ++axis)
-    if (!axes[axis].periodic() && (I[axis] < 0 || I[axis] >= axes[axis].cells())) return false;
-  return true;
-}
-
-bool Lattice::is_face(int axis, const Index& I) const { return inside(I) || inside(I - unit(axis)); }
-
 double Lattice::volume(const Index& I) const {
   double volume = 1;
   for (int axis = 0; axis < dim; ++axis) volume *= axes[axis].width(I[axis]);
   return volume;
 }
-
-bool Lattice::on_side(int axis, const Index& I) const { return !inside(I) || !inside(I - unit(axis)); }
 
 double Lattice::face_area(int axis, const Index& I) const {
   double area = 1;

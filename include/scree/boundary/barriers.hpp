@@ -31,7 +31,7 @@ class Barriers {
   /// Whether a side of the box, or a part of one, is open: the same on all ranks.
   bool some_open() const { return some_open_; }
   bool wall(int axis, const Index& I) const { return at(axis, I) && is_wall(condition(axis, I).kind); }
-  /// Whether some face within `halo` cells of I, in any direction, carries a condition.
+  /// Whether some face within the width of the ghost layer from I, in any direction, carries a condition.
   bool near(const Index& I) const { return near_[lattice_->ghosted(I)] != 0; }
 
  private:

@@ -67,7 +67,7 @@ inline double wen_yu_factor_of_drag(double stokes) {
     if (!(next >= lower && next <= upper)) next = (lower + upper) / 2;
     const double step = std::abs(next - Re);
     Re = next;
-    if (!(step > 4e-16 * Re)) break;
+    if (!(step > 1e-7 * Re)) break;  // convergence is quadratic: that was the step to round-off
   }
   return factor(Re);
 }

@@ -24,11 +24,7 @@ class AssembledModel final : public Model {
  public:
   explicit AssembledModel(const ModelSetup& setup)
       : setup_(setup),
-        assembly_{{setup.lattice, setup.barriers, setup_.model, setup_.solids},
-                  L::count,
-                  std::vector<double>(L::count),
-                  std::vector<double>(L::count),
-                  {}},
+        assembly_{{setup.lattice, setup.barriers, setup_.model, setup_.solids}, L::count, {}, {}, {}, {}},
         fields_(fields_of<L>(setup.scales)) {
     const double rho_s = setup_.solids.kinetic.rho_s, V = setup_.scales.velocity, t = setup_.scales.time;
     const double rho = setup_.scales.density;
@@ -54,7 +50,9 @@ class AssembledModel final : public Model {
       assembly_.scale[L::p] = rho * V * V;
       assembly_.row_scale[L::p] = t;
     }
+    assembly_.scene.set_time(0);
     mark_balances();
+    assembly_.mark_plain();
   }
 
   int unknowns() const override { return L::count; }
@@ -62,14 +60,14 @@ class AssembledModel final : public Model {
   double continuity_scale() const override { return assembly_.row_scale[L::nu]; }
   int gas_pressure() const override { return L::p; }
   int gas_velocity(int axis) const override { return L::u(axis); }
-  void set_time(double time) override { assembly_.scene.time = time; }
+  void set_time(double time) override { assembly_.scene.set_time(time); }
   bool is_balance(int component, const Index& I) const override {
     return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
   }
 
   void residual(const double* state, const double* rate, double* residual) const override {
     std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
-    Assembly::ResidualVisitor visitor{assembly_, state, rate, residual};
+    Assembly::ResidualVisitor visitor(assembly_, state, rate, residual);
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
@@ -78,7 +76,7 @@ class AssembledModel final : public Model {
   }
 
   void sparsity(EntrySink& sink) const override {
-    Assembly::PatternVisitor visitor{assembly_, sink};
+    Assembly::PatternVisitor visitor(assembly_, sink);
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
@@ -91,7 +89,7 @@ class AssembledModel final : public Model {
 
   void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places, double* diagonal,
                 double* off_diagonal) const override {
-    Assembly::JacobianVisitor visitor{assembly_, state, rate, shift, places.data(), diagonal, off_diagonal};
+    Assembly::JacobianVisitor visitor(assembly_, state, rate, shift, places, diagonal, off_diagonal);
     sweep(visitor);
     each_constraint([&](const Constraint& c) {
       if (c.kind == Constraint::superficial) {
@@ -120,7 +118,7 @@ class AssembledModel final : public Model {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
         if (!setup_.lattice.inside(I)) return;
         Local<CellBalances<L>, double> q;
-        assembly_.gather(state, state, 0, I, q);
+        assembly_.gather(state, I, q);
         const auto strain = cell_strain<L>(assembly_.scene, I, q);
         const double steady = cell_closures<L, CellClosure::chi_star>(assembly_.scene, I, q, strain)[0];
         double& chi = owned[assembly_.owned_unknown(L::chi, I)];
@@ -135,7 +133,7 @@ class AssembledModel final : public Model {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
         if (!is_balance(L::T, I)) return;
         Local<CellBalances<L>, double> q;
-        assembly_.gather(state, state, 0, I, q);
+        assembly_.gather(state, I, q);
         const auto strain = cell_strain<L>(assembly_.scene, I, q);
         double& T = owned[assembly_.owned_unknown(L::T, I)];
         const double scale = assembly_.scale[L::T];
@@ -150,7 +148,7 @@ class AssembledModel final : public Model {
       using Kernel = ScalarFluxes<L, SecondOrder, a()>;
       if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
       Local<Kernel, double> q;
-      assembly_.gather(state, state, 0, I, q);
+      assembly_.gather(state, I, q);
       flux = mass_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
     });
     return flux;
@@ -163,7 +161,7 @@ class AssembledModel final : public Model {
         using Kernel = GasContinuity<Core, SecondOrder, a()>;
         if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
         Local<Kernel, double> q;
-        assembly_.gather(state, state, 0, I, q);
+        assembly_.gather(state, I, q);
         flux = scree::gas_flux<Core>(assembly_.scene, I, q, axis, Index{});
       }
     });
@@ -206,6 +204,7 @@ class AssembledModel final : public Model {
       count[axis] += 2;
     }
     for_each_node(first, count, [&](const Index& I) {
+      visitor.enter(I);
       static_for<L::dim>([&](auto a) {
         visitor.template visit<ScalarFluxes<L, SecondOrder, a()>>(I);
         visitor.template visit<NormalMomentumFlux<Particles, a()>>(I);

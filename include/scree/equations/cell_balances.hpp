@@ -31,6 +31,7 @@ struct CellBalances {
     return rows;
   }
   static constexpr std::array<Output, row_count> rows = make_rows();
+  static constexpr bool has_rates = true;
   static constexpr bool depends(int row, const Input& input) {
     if (row == nu_row) return input.component == L::nu;
     if (row < u_row) return true;
@@ -38,7 +39,7 @@ struct CellBalances {
     return L::is_v(input.component) && is_own_face(L::axis_of(input.component), input.offset);
   }
 
-  static bool active(const Scene& scene, const Index& I) { return scene.lattice.inside(I); }
+  static bool active(const Scene& scene, const Index& I) { return scene.inside(I); }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>

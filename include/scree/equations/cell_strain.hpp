@@ -42,9 +42,9 @@ inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, con
       bool free = false;
       const auto look = [&](int axis, int side, int& from) {
         const Index face = I + side * unit(axis);
-        if (!scene.barriers.at(axis, face)) return;
+        if (!scene.barrier(axis, face)) return;
         const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
-        const bool between = scene.barriers.at(axis, I + (1 - side) * unit(axis));
+        const bool between = scene.barrier(axis, I + (1 - side) * unit(axis));
         free = free || between || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::gas_inlet ||
                kind == BoundaryKind::symmetry;
         from = 1 - side;
@@ -58,7 +58,8 @@ inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, con
 
 /// D_ab at edge I + at [1/s].
 template <class L, class Q>
-auto shear_rate(const Scene& scene, const Index& I, const Q& q, int a, int b, const Index& at) {
+[[gnu::always_inline]] inline auto shear_rate(const Scene& scene, const Index& I, const Q& q, int a, int b,
+                                              const Index& at) {
   const Index edge = I + at;
   return 0.5 * ((q(L::v(a), at) - q(L::v(a), at - unit(b))) / scene.axis(b).distance(edge[b]) +
                 (q(L::v(b), at) - q(L::v(b), at - unit(a))) / scene.axis(a).distance(edge[a]));
@@ -87,7 +88,7 @@ auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
   }
   strain.S_S -= strain.div_v * strain.div_v / 3.0;
 
-  const bool near = scene.barriers.near(I);
+  const bool near = scene.near;
   for (int a = 0; a < L::dim; ++a)
     for (int b = a + 1; b < L::dim; ++b) {
       const auto weights =

@@ -39,7 +39,7 @@ struct EdgeStress {
 
   static bool active(const Scene& scene, const Index& I) {
     for (const Index& cell : cells)
-      if (!scene.lattice.inside(I + cell)) return false;
+      if (!scene.inside(I + cell)) return false;
     return open_share(scene, I, a, b) > 0 || open_share(scene, I, b, a) > 0;
   }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
@@ -59,7 +59,7 @@ struct EdgeStress {
                 nu, T, chi, div_v, S_S, slip_squared);
     const Number sigma = -2.0 * mu * D_ab;
 
-    const bool near = scene.barriers.near(I);
+    const bool near = scene.near;
     const Number on_a = (near ? open_share(scene, I, a, b) : 1.0) * sigma;
     const Number on_b = (near ? open_share(scene, I, b, a) : 1.0) * sigma;
     r[0] += on_a / scene.axis(b).width(I[b] - 1);
@@ -72,7 +72,7 @@ struct EdgeStress {
   /// Open share of the face between the control volumes of momentum `axis` below and above the edge along `across`.
   static double open_share(const Scene& scene, const Index& I, int axis, int across) {
     const double below = scene.axis(axis).lower_share(I[axis]);
-    return (scene.barriers.at(across, I - unit(axis)) ? 0 : below) + (scene.barriers.at(across, I) ? 0 : 1 - below);
+    return (scene.barrier(across, I - unit(axis)) ? 0 : below) + (scene.barrier(across, I) ? 0 : 1 - below);
   }
 
   /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are
@@ -111,7 +111,7 @@ struct EdgeStress {
     for (int side = 0; side < 2; ++side)
       for (int back = 0; back < 2; ++back) {
         const auto add = [&](int axis, const Index& at) {
-          if (scene.barriers.at(c, I + at) || scene.barriers.at(c, I + at - unit(axis))) return;
+          if (scene.barrier(c, I + at) || scene.barrier(c, I + at - unit(axis))) return;
           const Number D = shear_rate<L>(scene, I, q, axis, c, at);
           sum += 0.5 * (D * D);
         };

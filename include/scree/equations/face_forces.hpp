@@ -24,11 +24,10 @@ struct FaceForces {
   }
   static constexpr StencilBuilder stencil = make_stencil();
   static constexpr std::array<Output, 1> rows{{{L::v(axis), Index{}}}};
+  static constexpr bool has_rates = true;
   static constexpr bool depends(int, const Input&) { return true; }
 
-  static bool active(const Scene& scene, const Index& I) {
-    return scene.lattice.inside(I) && scene.lattice.inside(I - e);
-  }
+  static bool active(const Scene& scene, const Index& I) { return scene.inside(I) && scene.inside(I - e); }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
@@ -37,7 +36,7 @@ struct FaceForces {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
     const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number floor = void_floor(nu, scene.model.void_fraction_floor);
-    r[0] += rho_s * (nu + floor) * q.dot(L::v(axis)) - ((rho_s - rho_g) * scene.gravity(axis)) * nu;
+    r[0] += rho_s * (nu + floor) * q.dot(L::v(axis)) - ((rho_s - rho_g) * scene.gravity[axis]) * nu;
     if constexpr (!L::has_u) r[0] += (rho_s / scene.model.void_drag_time) * floor * q(L::v(axis));
   }
 };

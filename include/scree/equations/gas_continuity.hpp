@@ -21,7 +21,7 @@ struct GasContinuity {
   static constexpr bool depends(int, const Input&) { return true; }
 
   static bool active(const Scene& scene, const Index& I) {
-    return scene.lattice.is_face(axis, I) && !closed_to_gas(scene, axis, I);
+    return scene.is_face(axis, I) && !closed_to_gas(scene, axis, I);
   }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     if (input.component != L::nu) return {input.offset, 1};

@@ -39,7 +39,7 @@ auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const In
   if constexpr (L::has_u) {
     return Number((1.0 - nu) * q(L::u(axis), at));
   } else {
-    if (scene.barriers.at(axis, face) && brings_gas(scene.barriers.condition(axis, face).kind))
+    if (scene.barrier(axis, face) && brings_gas(scene.barriers.condition(axis, face).kind))
       return Number(given_gas_flux(scene, axis, face));
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
     const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);

@@ -29,9 +29,10 @@ struct GasForces {
     return rows;
   }
   static constexpr std::array<Output, row_count> rows = make_rows();
+  static constexpr bool has_rates = true;
   static constexpr bool depends(int row, const Input& input) { return row > 0 || !L::is_u(input.component); }
 
-  static bool active(const Scene& scene, const Index& I) { return scene.lattice.is_face(axis, I); }
+  static bool active(const Scene& scene, const Index& I) { return scene.is_face(axis, I); }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>

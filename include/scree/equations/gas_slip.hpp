@@ -14,13 +14,14 @@ namespace scree {
 /// d p_g/d axis at the lower `axis` face of I + at [Pa/m]: 0 across walls and inlets, where no balance asks for it;
 /// towards the pressure outside at an open side.
 template <class L, class Q>
-auto pressure_gradient(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+[[gnu::always_inline]] inline auto pressure_gradient(const Scene& scene, const Index& I, const Q& q, int axis,
+                                                     const Index& at) {
   using Number = std::decay_t<decltype(q(L::p))>;
   const Index face = I + at;
-  if (scene.barriers.at(axis, face)) {
+  if (scene.barrier(axis, face)) {
     const Condition& condition = scene.barriers.condition(axis, face);
     if (condition.kind != BoundaryKind::open) return Number(0.0);
-    const double length = scene.lattice.control_length(axis, face);
+    const double length = scene.control_length(axis, face);
     return box_above(scene, axis, face) ? Number((q(L::p, at) - condition.gas_pressure) / length)
                                         : Number((condition.gas_pressure - q(L::p, at - unit(axis))) / length);
   }
@@ -44,7 +45,7 @@ auto cell_gradient(const Scene& scene, const Index& I, const Q& q, int b, const 
   const auto lower = pressure_gradient<L>(scene, I, q, b, at),
              upper = pressure_gradient<L>(scene, I, q, b, at + unit(b));
   const auto is_inlet = [&](const Index& face) {
-    return scene.barriers.at(b, face) && brings_gas(scene.barriers.condition(b, face).kind);
+    return scene.barrier(b, face) && brings_gas(scene.barriers.condition(b, face).kind);
   };
   const double share = is_inlet(I + at) ? 0 : is_inlet(I + at + unit(b)) ? 1 : 0.5;
   return share * lower + (1 - share) * upper;
@@ -55,7 +56,7 @@ template <class L, class Q>
 auto pressure_gradient_squared(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
   const auto own = pressure_gradient<L>(scene, I, q, axis, at);
   auto sum = own * own;
-  const bool below = scene.lattice.inside(I + at - unit(axis)), above = scene.lattice.inside(I + at);
+  const bool below = scene.inside(I + at - unit(axis)), above = scene.inside(I + at);
   for (int b = 0; b < L::dim; ++b) {
     if (b == axis) continue;
     std::decay_t<decltype(sum)> g(0.0);

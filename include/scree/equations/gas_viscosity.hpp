@@ -34,13 +34,11 @@ struct GasNormalStress {
   static constexpr std::array<Output, 4> rows = gas_stress_rows<L>(axis, Index{}, e);
   static constexpr bool depends(int, const Input&) { return true; }
 
-  static bool active(const Scene& scene, const Index& I) {
-    return scene.model.gas_viscous_stress && scene.lattice.inside(I);
-  }
+  static bool active(const Scene& scene, const Index& I) { return scene.model.gas_viscous_stress && scene.inside(I); }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     const int reach = L::is_u(input.component) ? 0 : input.offset[axis];
-    if (reach == -1 && scene.barriers.at(axis, I)) return {Index{}, 1};
-    if (reach == 1 && scene.barriers.at(axis, I + e)) return {Index{}, 1};
+    if (reach == -1 && scene.barrier(axis, I)) return {Index{}, 1};
+    if (reach == 1 && scene.barrier(axis, I + e)) return {Index{}, 1};
     return {input.offset, 1};
   }
 
@@ -56,8 +54,8 @@ struct GasNormalStress {
     const Number sigma = -2.0 * scene.gas().mu_g * (D - div_u / 3.0);
     const Number below = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number above = face_mean(scene, axis, I + e, q(L::nu), q(L::nu, e));
-    add_gas_stress(below, Number(sigma / scene.lattice.control_length(axis, I)), r[0], r[1]);
-    add_gas_stress(above, Number(-sigma / scene.lattice.control_length(axis, I + e)), r[2], r[3]);
+    add_gas_stress(below, Number(sigma / scene.control_length(axis, I)), r[0], r[1]);
+    add_gas_stress(above, Number(-sigma / scene.control_length(axis, I + e)), r[2], r[3]);
   }
 };
 
@@ -110,9 +108,9 @@ struct GasShearStress {
  private:
   /// Whether stress acts between cells J - e_across and J.
   static int share(const Scene& scene, const Index& J) {
-    const bool above = scene.lattice.inside(J), below = scene.lattice.inside(J - b);
-    if (above == below) return above && !scene.barriers.at(across, J) ? 1 : 0;
-    return scene.barriers.at(across, J) && scene.barriers.condition(across, J).kind == BoundaryKind::open ? 1 : 0;
+    const bool above = scene.inside(J), below = scene.inside(J - b);
+    if (above == below) return above && !scene.barrier(across, J) ? 1 : 0;
+    return scene.barrier(across, J) && scene.barriers.condition(across, J).kind == BoundaryKind::open ? 1 : 0;
   }
 };
 
@@ -135,7 +133,7 @@ struct GasWallStress {
   }
 
   static bool active(const Scene& scene, const Index& I) {
-    if (!scene.model.gas_viscous_stress || !scene.barriers.near(I) || !scene.lattice.inside(I)) return false;
+    if (!scene.model.gas_viscous_stress || !scene.near || !scene.inside(I)) return false;
     for (int normal = 0; normal < L::dim; ++normal)
       for (int side = 0; side < 2; ++side)
         if (sticks(scene, normal, I + side * unit(normal))) return true;
@@ -143,8 +141,8 @@ struct GasWallStress {
   }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     if (input.component != L::nu) return {input.offset, 1};
-    if (input.offset == -1 * t && scene.barriers.at(along, I)) return {Index{}, 1};
-    if (input.offset == t && scene.barriers.at(along, I + t)) return {Index{}, 1};
+    if (input.offset == -1 * t && scene.barrier(along, I)) return {Index{}, 1};
+    if (input.offset == t && scene.barrier(along, I + t)) return {Index{}, 1};
     return {input.offset, 1};
   }
 

@@ -8,6 +8,7 @@
 ///   static constexpr bool depends(int row, const Input&)         which input a row can depend on
 ///   static bool active(const Scene&, const Index& I)             whether it exists at anchor I
 ///   static Reference resolve(const Scene&, const Index& I, const Input&)   where an input is read near barriers
+///   static constexpr bool has_rates = true                       if it asks for time derivatives
 ///   static void evaluate(const Scene&, const Index& I, const Local<Kernel, Number>& q, std::array<Number, rows>& r)
 #pragma once
 
@@ -77,24 +78,31 @@ struct StencilTable {
   }
 };
 
+/// Whether a kernel asks for time derivatives: others need not be given any.
+template <class Kernel, class = void>
+struct HasRates : std::false_type {};
+template <class Kernel>
+struct HasRates<Kernel, std::enable_if_t<Kernel::has_rates>> : std::true_type {};
+
 /// The unknowns about an anchor, and their rates, as a kernel sees them (SI).
 template <class Kernel, class Number>
 struct Local {
-  static constexpr int size = Kernel::stencil.size;
+  static constexpr std::size_t size = Kernel::stencil.size, rates = HasRates<Kernel>::value ? size : 0;
   static constexpr StencilTable<Kernel> table{};
 
-  std::array<Number, static_cast<std::size_t>(size)> value;
-  std::array<double, static_cast<std::size_t>(size)> rate;        ///< time derivatives
-  std::array<double, static_cast<std::size_t>(size)> rate_slope;  ///< d rate/d stored unknown, shift times scale
+  std::array<Number, size> value;
+  std::array<double, rates> rate;        ///< time derivatives
+  std::array<double, rates> rate_slope;  ///< d rate/d stored unknown, shift times scale
 
-  static int position(int component, const Index& offset) {
+  [[gnu::always_inline]] static int position(int component, const Index& offset) {
     return table.position[StencilTable<Kernel>::code(component, offset)];
   }
-  const Number& operator()(int component, const Index& offset = {}) const {
+  [[gnu::always_inline]] const Number& operator()(int component, const Index& offset = {}) const {
     return value[static_cast<std::size_t>(position(component, offset))];
   }
   /// Time derivative of an input.
   Number dot(int component, const Index& offset = {}) const {
+    static_assert(rates > 0, "a kernel that asks for rates says so by has_rates");
     const auto k = static_cast<std::size_t>(position(component, offset));
     Number result(rate[k]);
     if constexpr (IsDual<Number>::value) result.derivative[k] = rate_slope[k];

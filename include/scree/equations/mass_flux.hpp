@@ -23,11 +23,12 @@ constexpr void add_mass_flux_inputs(StencilBuilder& s, int axis, const Index& at
 
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
-auto mass_flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+[[gnu::always_inline]] inline auto mass_flux(const Scene& scene, const Index& I, const Q& q, int axis,
+                                             const Index& at) {
   using Number = std::decay_t<decltype(q(L::nu))>;
   const Index e = unit(axis), face = I + at;
   const Number& v = q(L::v(axis), at);
-  if (scene.barriers.at(axis, face)) {
+  if (scene.barrier(axis, face)) {
     const Condition& condition = scene.barriers.condition(axis, face);
     if (is_wall(condition.kind)) return Number(0.0);
     const double brought = condition.kind == BoundaryKind::inlet ? condition.solids_fraction : 0.0;
@@ -47,8 +48,8 @@ auto mass_flux(const Scene& scene, const Index& I, const Q& q, int axis, const I
 /// a value beyond a barrier is that of the nearest cell before it, i.e. no slope across barriers.
 inline Reference cell_before_barrier(const Scene& scene, const Index& I, int axis, const Index& from, int reach) {
   const Index e = unit(axis);
-  if (reach == -2 && scene.barriers.at(axis, I + from - e)) reach = -1;
-  if (reach == 1 && scene.barriers.at(axis, I + from + e)) reach = 0;
+  if (reach == -2 && scene.barrier(axis, I + from - e)) reach = -1;
+  if (reach == 1 && scene.barrier(axis, I + from + e)) reach = 0;
   return {from + reach * e, 1};
 }
 

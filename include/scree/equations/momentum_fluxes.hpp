@@ -59,7 +59,7 @@ struct NormalMomentumFlux {
   static constexpr std::array<Output, 2> rows{{{Phase::velocity(axis), Index{}}, {Phase::velocity(axis), e}}};
   static constexpr bool depends(int, const Input&) { return true; }
 
-  static bool active(const Scene& scene, const Index& I) { return scene.lattice.inside(I); }
+  static bool active(const Scene& scene, const Index& I) { return scene.inside(I); }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     const Barriers& b = scene.barriers;
     const int reach = input.offset[axis];
@@ -85,16 +85,16 @@ struct NormalMomentumFlux {
     const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
     Number carried;
     if constexpr (Phase::second_order) {
-      const Barriers& barrier = scene.barriers;  // what is mirrored at a plate lies a width of this cell beyond it
-      const double far_lower = x.width(barrier.at(axis, I) ? i : i - 1);
-      const double far_upper = x.width(barrier.at(axis, I + e) ? i : i + 1);
+      // What is mirrored at a plate lies a width of this cell beyond it.
+      const double far_lower = x.width(scene.barrier(axis, I) ? i : i - 1);
+      const double far_upper = x.width(scene.barrier(axis, I + e) ? i : i + 1);
       const AdvectionMetrics h{far_lower, x.width(i), far_upper, 0.5 * x.width(i), 0.5 * x.width(i)};
       carried = limited_upwind(F, q(Phase::velocity(axis), -1 * e), below, above, q(Phase::velocity(axis), 2 * e), h);
     } else {
       carried = upwind(F, below, above);
     }
-    r[0] += rho * F * (carried - below) / scene.lattice.control_length(axis, I);
-    r[1] -= rho * F * (carried - above) / scene.lattice.control_length(axis, I + e);
+    r[0] += rho * F * (carried - below) / scene.control_length(axis, I);
+    r[1] -= rho * F * (carried - above) / scene.control_length(axis, I + e);
   }
 
  private:
@@ -123,9 +123,9 @@ struct CrossMomentumFlux {
 
   static bool active(const Scene& scene, const Index& I) {
     const auto closed = [&](const Index& face) {
-      return scene.barriers.at(across, face) && Phase::stops(scene.barriers.condition(across, face).kind);
+      return scene.barrier(across, face) && Phase::stops(scene.barriers.condition(across, face).kind);
     };
-    return scene.lattice.is_face(across, I) && scene.lattice.is_face(across, I - a) && !(closed(I) && closed(I - a));
+    return scene.is_face(across, I) && scene.is_face(across, I - a) && !(closed(I) && closed(I - a));
   }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     const int reach = input.offset[across];
@@ -135,7 +135,7 @@ struct CrossMomentumFlux {
       return cell_before_barrier(scene, I, across, column, reach);
     }
     const auto blocked = [&](const Index& face) {
-      return scene.barriers.at(across, face) || scene.barriers.at(across, face - a);
+      return scene.barrier(across, face) || scene.barrier(across, face - a);
     };
     if (reach == -2 && blocked(I - b)) return {-1 * b, 1};
     if (reach == 1 && blocked(I + b)) return {Index{}, 1};
@@ -148,9 +148,9 @@ struct CrossMomentumFlux {
     const double rho = Phase::density(scene);
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
     const Axis& x = scene.axis(across);
-    if (!scene.lattice.inside(I - b)) {
+    if (!scene.inside(I - b)) {
       r[1] -= rho * brought_in(scene, I, q, above) / x.width(I[across]);
-    } else if (!scene.lattice.inside(I)) {
+    } else if (!scene.inside(I)) {
       r[0] += rho * brought_in(scene, I, q, below) / x.width(I[across] - 1);
     } else {
       const Number F =

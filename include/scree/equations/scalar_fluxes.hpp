@@ -44,9 +44,7 @@ struct ScalarFluxes {
     return L::has_T && rows[row].component == L::T;  // slip of the gas, in the conductivity
   }
 
-  static bool active(const Scene& scene, const Index& I) {
-    return scene.lattice.is_face(axis, I) && !scene.barriers.wall(axis, I);
-  }
+  static bool active(const Scene& scene, const Index& I) { return scene.is_face(axis, I) && !scene.wall(axis, I); }
   static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
     const bool carried = input.component == L::nu || input.component == L::T || input.component == L::chi;
     if (!carried) return {input.offset, 1};
@@ -81,7 +79,7 @@ struct ScalarFluxes {
   static Number carried(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q, int component,
                         const Number& F) {
     const Number &below = q(component, -1 * e), &above = q(component);
-    if (scene.barriers.at(axis, I)) {
+    if (scene.barrier(axis, I)) {
       const Condition& condition = scene.barriers.condition(axis, I);
       const bool box_is_above = box_above(scene, axis, I);
       const bool inflow = box_is_above ? F >= 0.0 : F < 0.0;
@@ -100,7 +98,7 @@ struct ScalarFluxes {
   /// q of (1.3) along the axis [W/m2]; none through sides of the box.
   template <class Number>
   static Number heat_flux(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q) {
-    if (scene.barriers.at(axis, I)) return Number(0.0);
+    if (scene.barrier(axis, I)) return Number(0.0);
     const Number &below = q(L::T, -1 * e), &above = q(L::T);
     const Number nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number T_face = face_mean(scene, axis, I, below, above);

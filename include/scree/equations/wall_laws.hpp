@@ -26,7 +26,7 @@ struct WallLaws {
   static constexpr bool depends(int, const Input&) { return true; }
 
   static bool active(const Scene& scene, const Index& I) {
-    if (!scene.barriers.near(I) || !scene.lattice.inside(I)) return false;
+    if (!scene.near || !scene.inside(I)) return false;
     for (int axis = 0; axis < L::dim; ++axis)
       for (int side = 0; side < 2; ++side)
         if (acts(scene, axis, I + side * unit(axis))) return true;
@@ -55,7 +55,7 @@ struct WallLaws {
 
  private:
   static bool acts(const Scene& scene, int axis, const Index& face) {
-    if (!scene.barriers.at(axis, face)) return false;
+    if (!scene.barrier(axis, face)) return false;
     const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
     return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_no_slip;
   }

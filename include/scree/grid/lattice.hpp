@@ -63,11 +63,15 @@ class Lattice {
   bool is_owned(const Index& I) const;
   bool is_ghosted(const Index& I) const;
   /// Whether cell I lies in the box (periodic axes have no outside).
-  bool inside(const Index& I) const;
+  bool inside(const Index& I) const {
+    for (int axis = 0; axis < dim; ++axis)
+      if (!axes[axis].periodic() && (I[axis] < 0 || I[axis] >= axes[axis].cells())) return false;
+    return true;
+  }
   /// Whether the lower `axis` face of I belongs to the box, sides included.
-  bool is_face(int axis, const Index& I) const;
+  bool is_face(int axis, const Index& I) const { return inside(I) || inside(I - unit(axis)); }
   /// Whether the lower `axis` face of I is on a side of the box: one of its two cells is outside.
-  bool on_side(int axis, const Index& I) const;
+  bool on_side(int axis, const Index& I) const { return !inside(I) || !inside(I - unit(axis)); }
   double volume(const Index& I) const;               ///< of cell I [m^dim]
   double face_area(int axis, const Index& I) const;  ///< of the lower `axis` face of I [m^(dim-1)]
   /// Length of the control volume about the lower `axis` face of I: half a cell on a side of the box [m].
