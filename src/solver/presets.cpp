@@ -19,8 +19,10 @@ std::string component_list(int first, int count) {
 const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
 
 /// Factorisation by MUMPS; GMRES around it lets a factorisation serve several Newton steps. Small cases, reference.
-/// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). On a
-/// plateau Jacobian of the bin, 108 k unknowns, METIS through UMFPACK took 3.2 s, AMD 2.3 s, MUMPS with PORD 1.7 s.
+/// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). On the
+/// plateau of the 1 mm bin, 40 x 526 cells, a factorisation on a known pattern takes .72 s and 57 M entries with PORD,
+/// .62 s and 51 M with AMF (ICNTL(7) = 2, which takes 11 % longer in three dimensions), .89 s and 62 M with METIS's
+/// nested dissection of the nodes handed to MUMPS; UMFPACK with METIS .77 s, SuperLU_DIST with METIS 1.6 s.
 const PetscOptionList direct{{"ksp_type", "gmres"},       {"ksp_pc_side", "right"},
                              {"ksp_rtol", "1e-6"},        {"ksp_max_it", "30"},
                              {"pc_type", "lu"},           {"pc_factor_mat_solver_type", "mumps"},
@@ -34,12 +36,15 @@ const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
                                 {"sub_pc_factor_shift_type", "nonzero"}};
 
 /// ... or one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
-/// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these, and the
-/// iterations hardly grow with the grid.
+/// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these.
+/// The aggregates depend on the pattern of the matrix alone: kept, they give the same iterations to the last, and a
+/// set-up on the 1 mm bin, 40 x 526 cells, takes .085 s instead of .28 s (a solution: .16 s). PETSc does not hand the
+/// lag of the preconditioner down to the smoothers: the ILU of the finest level is always that of the latest Jacobian.
+/// Held, it takes twice the iterations.
 const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"pc_gamg_type", "agg"},
                                       {"pc_gamg_agg_nsmooths", "0"},
-                                      {"pc_gamg_reuse_interpolation", "false"},
+                                      {"pc_gamg_reuse_interpolation", "true"},
                                       {"mg_levels_ksp_type", "richardson"},
                                       {"mg_levels_ksp_max_it", "1"},
                                       {"mg_levels_pc_type", "bjacobi"},
@@ -48,16 +53,18 @@ const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
 /// GMRES for fixed preconditioners. They stand on the right: left-preconditioned norms converge falsely.
-PetscOptionList gmres(const std::string& tolerance, const std::string& most_iterations) {
+PetscOptionList gmres(const std::string& tolerance, const std::string& most_iterations,
+                      const std::string& restart = "100") {
   return {{"ksp_type", "gmres"},
           {"ksp_pc_side", "right"},
-          {"ksp_gmres_restart", "100"},
+          {"ksp_gmres_restart", restart},
           {"ksp_max_it", most_iterations},
           {"ksp_rtol", tolerance}};
 }
 
 /// Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
-/// aggregation multigrid.
+/// aggregation multigrid with ILU(1): 27 iterations on the 1 mm bin, 40 x 526 cells, dt = 1e-2 s, against 93 with
+/// ILU(0).
 PetscOptionList solids_fieldsplit(int unknowns) {
   return {{"ksp_type", "fgmres"},
           {"ksp_gmres_restart", "60"},
@@ -73,10 +80,12 @@ PetscOptionList solids_fieldsplit(int unknowns) {
           {"fieldsplit_0_ksp_type", "preonly"},
           {"fieldsplit_0_pc_type", "gamg"},
           {"fieldsplit_0_pc_gamg_agg_nsmooths", "0"},
+          {"fieldsplit_0_pc_gamg_reuse_interpolation", "true"},
           {"fieldsplit_0_mg_levels_ksp_type", "richardson"},
           {"fieldsplit_0_mg_levels_ksp_max_it", "1"},
           {"fieldsplit_0_mg_levels_pc_type", "bjacobi"},
           {"fieldsplit_0_mg_levels_sub_pc_type", "ilu"},
+          {"fieldsplit_0_mg_levels_sub_pc_factor_levels", "1"},
           {"fieldsplit_1_ksp_type", "gmres"},
           {"fieldsplit_1_ksp_max_it", "5"},
           {"fieldsplit_1_pc_type", "hypre"},
@@ -104,6 +113,14 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   return list;
 }
 
+/// `multigrid_block` without smoothing on the way to the coarse levels. 100 um bin with air, 40 x 526 cells, one rank:
+/// 55 iterations instead of 42 at two thirds of the cost each; on 16 ranks 95.
+PetscOptionList rising_multigrid_block() {
+  PetscOptionList list = multigrid_block;
+  list.emplace_back("pc_mg_type", "kaskade");
+  return list;
+}
+
 /// One ILU(2) a rank for all unknowns, p_g among them.
 const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
 
@@ -120,12 +137,14 @@ PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_
   if (preset == "direct") {
     append(direct);
   } else if (preset == "ilu") {
-    append(gmres("1e-2", "300"));
+    // A restart after 40 saves 1.3 kB a cell (11.3 are left, the empty program's 2 among them) for 3 % more CPU
+    // seconds.
+    append(gmres("1e-2", "300", gas ? "100" : "40"));
     if (gas) append(gas_ilu);
     append(ilu_block);
   } else if (preset == "multigrid") {
-    append(gas ? gmres("1e-2", "200") : gmres("3e-2", "200"));
-    append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid_block);
+    append(gmres("1e-2", "200"));  // 3e-2 without gas: 34 Newton iterations instead of 29, 7 % more CPU seconds
+    append(gas ? gas_fieldsplit(unknowns, gas_pressure, rising_multigrid_block()) : multigrid_block);
   } else if (preset == "fieldsplit") {
     if (gas) append(gmres("1e-2", "200"));
     append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block) : solids_fieldsplit(unknowns));

@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""Iterations, seconds, messages and memory of the linear solvers against grid, time step and ranks.
+
+    scripts/linear_solvers.py [--build build] [--work out/linear_solvers] [--csv FILE] [--limit SECONDS]
+
+Makes the states by running scree on the cases, forms and solves the systems by linear_solvers, and writes a line each to
+the CSV file and a table, Markdown, beside it. What the file holds already is not done again."""
+import argparse
+import csv
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PRESETS = ("direct", "ilu", "multigrid", "fieldsplit")
+STEPS = (1e-3, 1e-2)
+RANKS = (2, 4, 8, 16)
+# Scene: case file, time of the state [s], refinements.
+SCENES = {
+    "bin_plateau": ("cases/bin_discharge/case.yaml", 0.45, (1, 2, 4, 8)),
+    "bin_start": ("cases/bin_discharge/case.yaml", 0.02, (1, 2)),
+    "fine_bin_air": ("cases/bin_discharge_fine/case.yaml", 0.6, (1, 2)),
+    "bubble": ("cases/bubble_rise/case.yaml", 0.3, (1, 2)),
+    "bin_3d": ("tests/benchmark/bin_3d.yaml", 0.15, (1, 2)),
+}
+RANK_SCENES = ("bin_plateau", "fine_bin_air")
+KEY = ("scene", "refine", "dt", "ranks", "preset")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, default=ROOT / "build")
+    parser.add_argument("--work", type=Path, default=ROOT / "out" / "linear_solvers", help="for the states")
+    parser.add_argument("--csv", type=Path, default=ROOT / "tests" / "benchmark" / "linear_solvers.csv")
+    parser.add_argument("--limit", type=float, default=120, help="seconds after which a system is given up")
+    return parser.parse_args()
+
+
+def systems():
+    """Keys of all systems, small ones first: grid x step x preset on one rank, ranks at refinement 2."""
+    keys = [(scene, refine, dt, 1, preset)
+            for scene, (_, _, refinements) in SCENES.items() for refine in refinements
+            for dt in STEPS for preset in PRESETS]
+    keys += [(scene, 2, 1e-2, ranks, preset) for scene in RANK_SCENES for ranks in RANKS for preset in PRESETS]
+    return sorted(keys, key=lambda key: (key[1], key[3]))
+
+
+def key_of(row):
+    return row["scene"], int(row["refine"]), float(row["dt"]), int(row["ranks"]), row["preset"]
+
+
+def rows_of(path):
+    if not path.exists():
+        return []
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def launcher(ranks):
+    return ["mpirun", "-n", str(ranks), "--oversubscribe"] if ranks > 1 else []
+
+
+def make_state(given, scene):
+    """Output directory of the run up to the state of a scene; the run is made if it is not there."""
+    case, time, _ = SCENES[scene]
+    directory = given.work / scene
+    if not (directory / "summary.json").exists():
+        subprocess.run([given.build / "bin" / "scree", ROOT / case, "-end_time", str(time), "-output_dir", directory,
+                        "-output_overwrite"], check=True, stdout=subprocess.DEVNULL)
+    return directory
+
+
+def solve(given, key):
+    """The row of a system; its reason is `limit` or `failed` where no line came."""
+    scene, refine, dt, ranks, preset = key
+    row = dict(zip(KEY, (scene, refine, dt, ranks, preset)))
+    command = [*launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, scene), "-refine", str(refine),
+               "-dt", str(dt), "-solver", preset, "-scene", scene, "-header"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=given.limit,
+                              env={**os.environ, "OMP_NUM_THREADS": "1"})
+    except subprocess.TimeoutExpired:
+        return {**row, "reason": "limit"}
+    lines = done.stdout.strip().splitlines()
+    if done.returncode or len(lines) < 2:
+        return {**row, "reason": "failed"}
+    return {**next(csv.DictReader(lines[-2:])), **row}
+
+
+def columns():
+    names = ("grid,cells,iterations,reason,residual,setup_s,setup_again_s,solve_s,iterations_tight,reason_tight,"
+             "residual_tight,solve_tight_s,messages,bytes,reductions,start_MB,peak_MB")
+    return [*KEY, *names.split(",")]
+
+
+def entry(row):
+    """iterations (to 1e-5) / set-up + solution."""
+    if not row.get("grid"):
+        return row["reason"]
+    loose, tight = (row["iterations"] if int(row[reason]) > 0 else "-"
+                    for row, reason in ((row, "reason"), ({**row, "iterations": row["iterations_tight"]}, "reason_tight")))
+    return f"{loose} ({tight}) / {float(row['setup_again_s']):.2g} + {float(row['solve_s']):.2g}"
+
+
+def table(rows):
+    """Markdown: a line a scene, grid, step and number of ranks; a column a preset."""
+    found = {key_of(row): row for row in rows}
+    lines = ["iterations to the preset's tolerance (to 1e-5) / CPU seconds of set-up on a known pattern + solution", "",
+             "| scene | grid | dt | ranks | " + " | ".join(PRESETS) + " |", "|---" * (4 + len(PRESETS)) + "|"]
+    for start in sorted({key[:4] for key in found}):
+        of_line = [found.get((*start, preset)) for preset in PRESETS]
+        grid = next((row["grid"] for row in of_line if row and row.get("grid")), f"x{start[1]}")
+        entries = [entry(row) if row else "" for row in of_line]
+        lines.append("| " + " | ".join([start[0], grid, f"{start[2]:g}", str(start[3]), *entries]) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    given = arguments()
+    rows = rows_of(given.csv)
+    done = {key_of(row) for row in rows}
+    given.csv.parent.mkdir(parents=True, exist_ok=True)
+    for key in systems():
+        if key in done:
+            continue
+        rows.append(solve(given, key))
+        print(*key, rows[-1].get("iterations", rows[-1]["reason"]), flush=True)
+        with given.csv.open("w", newline="") as file:
+            writer = csv.DictWriter(file, columns(), extrasaction="ignore", lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+    given.csv.with_suffix(".md").write_text(table(rows))
+
+
+if __name__ == "__main__":
+    main()
