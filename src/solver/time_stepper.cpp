@@ -23,7 +23,7 @@ constexpr double solver_reduction = 0.25;
 constexpr double below_failure = 0.7;
 constexpr int easy_before_failed_step = 12;
 /// Residual per unknown at which Newton stops, as a share of the error that a step may make.
-constexpr double newton_share = 1e-3;
+constexpr double newton_share = 1e-2;
 /// Change of dt that makes a preconditioner stale.
 constexpr double most_step_change = 1.5;
 
