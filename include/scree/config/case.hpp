@@ -70,7 +70,7 @@ struct TimeParameters {
   double end_time = 1;
   double step_initial = 1e-6;
   double step_min = 1e-12;
-  double step_max = 1e-2;
+  double step_max = 2e-2;
   double accuracy = 1e-2;  ///< relative local error a step may make; the one accuracy knob
   bool adaptive = true;    ///< false: fixed step = step_initial
 };

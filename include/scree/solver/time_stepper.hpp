@@ -12,11 +12,11 @@ namespace scree {
 
 struct StepControl {
   std::string scheme = "beuler";                                  ///< beuler, bdf (order 2) or arkimex
-  double step_initial = 1e-6, step_min = 1e-12, step_max = 1e-2;  ///< [s]
+  double step_initial = 1e-6, step_min = 1e-12, step_max = 2e-2;  ///< [s]
   double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales; it counts nu,
                             ///< v, T and chi, or u in scenes where it alone can change: p_g has no error of its own
   bool adaptive = true;     ///< false: every step is step_initial
-  bool extrapolate = true;  ///< first guess of Newton's method where states follow a line
+  bool extrapolate = true;  ///< first guess of Newton's method on the line of the last states if that is better
 };
 
 /// What a step took.
@@ -75,14 +75,14 @@ class TimeStepper {
   static PetscErrorCode converged(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason*, void* stepper);
   static PetscErrorCode keep_jacobian(TS, PetscReal stage_time);
   static PetscErrorCode first_guess(SNES, Vec guess, void* stepper);
+  PetscErrorCode extrapolate(SNES snes, double ratio, Vec guess);
   PetscErrorCode make_ts();
   PetscErrorCode correct_continuity(SNES snes);
   PetscErrorCode continuity_correction(SNES snes, double* correction) const;
   PetscErrorCode local_error(double dt, double* error);
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
-  PetscErrorCode goes_straight(bool* straight);
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
-  PetscErrorCode age_preconditioner(double dt);
+  PetscErrorCode renew_preconditioner();
   void choose_next_step(double dt, const StepReport& report);
 
   DiscreteProblem& problem_;
@@ -96,13 +96,6 @@ class TimeStepper {
   bool finds_slope_ = false;           ///< TSARKIMEX begins with a step of the same length to find its first slope
   VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
-  bool extrapolates_ = false;  ///< the first guess of this step
-  bool reuses_preconditioner_ = true;
-  /// The preconditioner in use: a step of which size it was made for (0: none yet) and the Krylov iterations a Newton
-  /// iteration took with it, in the step it was made in and in the last one.
-  struct {
-    double dt = 0, fresh_iterations = 0, last_iterations = 0;
-  } preconditioner_;
 };
 
 }  // namespace scree
