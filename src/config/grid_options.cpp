@@ -1,6 +1,7 @@
 #include <petscsys.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "scree/config/case_options.hpp"
 
@@ -84,11 +85,7 @@ void check_size(const GridInput& grid) {
   constexpr double most = PETSC_MAX_INT / unknowns;
   double nodes = 1;
   for (int axis = 0; axis < grid.dim; ++axis) {
-    const bool blocks = !grid.blocks[axis].edges.empty();
-    double cells = 0;
-    for (const int count : grid.blocks[axis].cells) cells += count;
-    if (!blocks) cells = static_cast<std::size_t>(axis) < grid.cells.size() ? grid.cells[axis] : 0;
-    cells *= grid.refine;
+    const double cells = cells_along(grid, axis);
     if (cells > most_along_axis)
       throw InputError("grid", number_text(cells) + " cells along " + axis_names[axis],
                        "at most " + number_text(most_along_axis) + " along an axis");
@@ -111,6 +108,14 @@ void set_periodic(Box& box, const std::vector<std::string>& axes) {
 }
 
 }  // namespace
+
+double cells_along(const GridInput& grid, int axis) {
+  const std::size_t a = static_cast<std::size_t>(axis);
+  double cells = a < grid.cells.size() ? grid.cells[a] : 0;
+  if (!grid.blocks[a].edges.empty())
+    cells = std::accumulate(grid.blocks[a].cells.begin(), grid.blocks[a].cells.end(), 0.0);
+  return cells * grid.refine;
+}
 
 OptionSet::Choices<int> axis_choices(const OptionSet& o, int dim) {
   OptionSet::Choices<int> choices;

@@ -2,16 +2,28 @@
 
 namespace scree {
 
-void declare_solver(OptionSet& o, Case& scene) {
+namespace {
+
+/// The cheapest without gas: ILU until the modes that span the box take too many iterations, see README.md.
+SolverPreset preset_without_gas(const GridInput& grid) {
+  constexpr double most_cells_of_ilu = 5e4;
+  double cells = 1;
+  for (int axis = 0; axis < grid.dim; ++axis) cells *= cells_along(grid, axis);
+  return cells > most_cells_of_ilu ? SolverPreset::multigrid : SolverPreset::ilu;
+}
+
+}  // namespace
+
+void declare_solver(OptionSet& o, const GridInput& grid, Case& scene) {
   o.group("solver");
-  if (scene.gas.model != GasModel::none) scene.solver.preset = SolverPreset::fieldsplit;
+  scene.solver.preset = scene.gas.model == GasModel::none ? preset_without_gas(grid) : SolverPreset::fieldsplit;
   o.choice("solver", scene.solver.preset,
            {{"direct", SolverPreset::direct},
             {"ilu", SolverPreset::ilu},
             {"multigrid", SolverPreset::multigrid},
             {"fieldsplit", SolverPreset::fieldsplit}},
            "named set of PETSc options for the linear systems")
-      .default_from("multigrid; fieldsplit with gas");
+      .default_from("ilu; multigrid above 50 000 cells; fieldsplit with gas");
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");
   o.real("scale_velocity", scene.scale_velocity, "m/s", non_negative(),

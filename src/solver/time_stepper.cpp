@@ -137,6 +137,7 @@ PetscErrorCode TimeStepper::restart_after_event() {
   PetscFunctionBeginUser;
   history_.dt_past = {0, 0};
   history_.easy_steps = 0;
+  history_.guess = FirstGuess::better;
   history_.dt_next = std::min(history_.dt_next, control_.step_initial);
   PetscCall(make_ts());
   PetscFunctionReturn(0);
@@ -192,20 +193,24 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
 }
 
 /// Puts the line through the last two states in the place of `guess`, the last of them, if its residual is smaller:
-/// where fronts move or friction switches the line leads astray.
+/// where fronts move or friction switches the line leads astray. What did well in the last step is not asked again.
 PetscErrorCode TimeStepper::extrapolate(SNES snes, double ratio, Vec guess) {
   PetscFunctionBeginUser;
-  Vec residual;
-  double norm, norm_on_line;
+  if (history_.guess == FirstGuess::state) PetscFunctionReturn(0);
   long limited = 0;
-  PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
   PetscCall(VecAXPBYPCZ(predicted_, 1 + ratio, -ratio, 0, guess_, past_[0]));
   PetscCall(limits_.apply(guess_, predicted_, &limited));
-  PetscCall(SNESComputeFunction(snes, guess, residual));
-  PetscCall(VecNorm(residual, NORM_2, &norm));
-  PetscCall(SNESComputeFunction(snes, predicted_, residual));
-  PetscCall(VecNorm(residual, NORM_2, &norm_on_line));
-  if (norm_on_line < norm) PetscCall(VecCopy(predicted_, guess));  // false for NaN
+  if (history_.guess == FirstGuess::better) {
+    Vec residual;
+    double norm, norm_on_line;
+    PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
+    PetscCall(SNESComputeFunction(snes, guess, residual));
+    PetscCall(VecNorm(residual, NORM_2, &norm));
+    PetscCall(SNESComputeFunction(snes, predicted_, residual));
+    PetscCall(VecNorm(residual, NORM_2, &norm_on_line));
+    history_.guess = norm_on_line < norm ? FirstGuess::line : FirstGuess::state;  // the latter for NaN
+  }
+  if (history_.guess == FirstGuess::line) PetscCall(VecCopy(predicted_, guess));
   PetscFunctionReturn(0);
 }
 
@@ -380,6 +385,7 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
 
 void TimeStepper::choose_next_step(double dt, const StepReport& report) {
   const bool failed = report.rejected_solver > 0;
+  if (failed || report.rejected_error > 0 || report.newton > 2) history_.guess = FirstGuess::better;
   history_.easy_steps = !failed && report.newton <= easy_newton ? history_.easy_steps + 1 : 0;
   if (failed) history_.dt_bound = below_failure * dt / solver_reduction;
   if (history_.easy_steps >= easy_before_failed_step) history_.dt_bound = 0;

@@ -89,7 +89,7 @@ struct OutputParameters {
 };
 
 struct SolverParameters {
-  SolverPreset preset = SolverPreset::multigrid;
+  SolverPreset preset = SolverPreset::ilu;
   bool extrapolate = true;
   bool view = false;  ///< print the solver's set-up and the PETSc options it stands for
 };

@@ -28,6 +28,9 @@ struct GridInput {
   std::vector<std::string> periodic;
 };
 
+/// Cells along an axis; 0 where none are given.
+double cells_along(const GridInput& grid, int axis);
+
 /// An item whose place in its list the user chooses.
 template <class Item>
 struct Ordered {
@@ -70,7 +73,7 @@ void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, C
 std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene);
 void declare_time(OptionSet& o, TimeParameters& time);
 void declare_output(OptionSet& o, const GridInput& grid, Case& scene);
-void declare_solver(OptionSet& o, Case& scene);
+void declare_solver(OptionSet& o, const GridInput& grid, Case& scene);
 
 /// The box with its face positions. Throws InputError if lists do not fit together.
 Box make_box(const GridInput& grid);

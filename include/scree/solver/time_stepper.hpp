@@ -32,11 +32,16 @@ struct StepReport {
   VolumeImbalance imbalance;   ///< over the step, see TimeStepper [m^dim]
 };
 
+/// What a first guess is: the state before the step or the line through the last two, or whichever has the smaller
+/// residual.
+enum class FirstGuess { better, state, line };
+
 /// Everything that a step depends on beside the state, for checkpoints.
 struct StepHistory {
   double dt_next = 0;
   std::array<double, 2> dt_past{0, 0};  ///< steps before the current state, newest first; 0: none
   int easy_steps = 0;
+  FirstGuess guess = FirstGuess::better;
   double dt_bound = 0;  ///< that steps stay below, after the solver failed; 0: none [s]
 };
 
