@@ -24,7 +24,7 @@ class Setting:
     advection: str = "upwind"
     time_scheme: str = "beuler"
     accuracy: float = 1e-2
-    time_step_max: float = 1e-2  # [s]
+    time_step_max: float = 2e-2  # [s]
     friction_model: str = "relaxed"
     granular_temperature: str = "transport"
     gas: str = "none"

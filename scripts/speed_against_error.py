@@ -80,7 +80,7 @@ SIMPLER_MODELS = ({"friction_model": "critical_state"}, {"granular_temperature":
 
 BIN_GRIDS = {"4 mm": Grid((2, 8), (7, 125)), "2 mm": Grid((4, 16), (13, 250)), "1 mm": Grid((4, 16), (13, 250), 2)}
 BIN = dict(
-    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 2e-2), box=(4, 105), read=scree_quantities.bin_quantities,
+    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), box=(4, 105), read=scree_quantities.bin_quantities,
     full_width={
         "grid_x_edges": "-4 cm, -0.7 cm, 0.7 cm, 4 cm", "boundary_centreline_kind": "wall_johnson_jackson",
         "boundary_centreline_patch": "5 cm, 105 cm", "boundary_left_side": "x_lower", "boundary_left_kind": "open",

@@ -48,6 +48,8 @@ class DiscreteProblem {
   const Barriers& barriers() const { return *barriers_; }
   const Model& model() const { return *model_; }
   DM dm() const { return dm_; }
+  /// While on, a Jacobian asked for is the last one: for the end of Newton's method.
+  void keep_jacobian(bool on) { keeps_jacobian_ = on; }
   double last_shift() const { return last_shift_; }  ///< of the last Jacobian [1/s]
   Mat matrix() const { return matrix_; }
 
@@ -93,7 +95,8 @@ class DiscreteProblem {
   std::unique_ptr<GasProjection> gas_projection_;  ///< where u is an unknown
   EntryPlaces places_;
   mutable Vec last_rate_ = nullptr;  ///< dU/dt of the last residual that TS asked for; not owned
-  double last_shift_ = 0;            ///< of the last Jacobian
+  bool keeps_jacobian_ = false;
+  double last_shift_ = 0;  ///< of the last Jacobian
 };
 
 /// Read access to the ghosted values of a global vector, for as long as it lives.

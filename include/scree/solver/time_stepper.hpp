@@ -101,6 +101,7 @@ class TimeStepper {
   bool finds_slope_ = false;           ///< TSARKIMEX begins with a step of the same length to find its first slope
   VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
+  double last_norm_ = 0;  ///< residual of Newton's iteration before
 };
 
 }  // namespace scree

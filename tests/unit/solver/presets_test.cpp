@@ -44,7 +44,7 @@ TEST_F(Presets, GiveWayToTheUser) {
   check(apply_preset("ilu", 4));
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   EXPECT_EQ(value("-pc_type"), "asm");
-  EXPECT_EQ(value("-ksp_type"), "gmres");
+  EXPECT_EQ(value("-ksp_type"), "bcgs");
 }
 
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
