@@ -26,7 +26,7 @@ NewtonLimits::NewtonLimits(const DiscreteProblem& problem)
   }
 }
 
-PetscErrorCode NewtonLimits::apply(Vec from, Vec target, long* limited) const {
+PetscErrorCode NewtonLimits::apply(Vec from, Vec target, double least_T, long* limited) const {
   PetscFunctionBeginUser;
   const double* old;
   double* x;
@@ -38,7 +38,7 @@ PetscErrorCode NewtonLimits::apply(Vec from, Vec target, long* limited) const {
   for (PetscInt node = 0; node < size; node += unknowns) {
     const double nu = old[node + nu_];
     x[node + nu_] = bounded(x[node + nu_], 0, nu + 0.7 * (nu_max_ - nu), *limited);
-    if (T_ >= 0) x[node + T_] = bounded(x[node + T_], 0.01 * old[node + T_], PETSC_INFINITY, *limited);
+    if (T_ >= 0) x[node + T_] = bounded(x[node + T_], least_T * old[node + T_], PETSC_INFINITY, *limited);
     if (chi_ >= 0) x[node + chi_] = bounded(x[node + chi_], 0.1 * old[node + chi_], chi_max_, *limited);
   }
   PetscCall(VecRestoreArray(target, &x));
@@ -52,7 +52,7 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
   long limited = 0;
   // The line search goes from state to state - step.
   PetscCall(VecAYPX(step, -1, state));
-  PetscCall(self.apply(state, step, &limited));
+  PetscCall(self.apply(state, step, 0.01, &limited));
   self.limited_ += limited;
   long any = limited;
   PetscCallMPI(

@@ -11,9 +11,11 @@ namespace scree {
 namespace {
 
 /// Newton iterations up to which a step counts as easy, and from which on as hard (the next one is shorter). A step of
-/// two iterations may double, one of eight keeps its length.
+/// three or less makes room for half as much again, one of eight keeps its length. Doubling starts fail in cold beds.
 constexpr int easy_newton = 4, hard_newton = 8;
-double growth(int newton) { return newton >= hard_newton ? 0.8 : std::min(2.0, 1 + (hard_newton - newton) / 6.0); }
+double growth(int newton) { return newton >= hard_newton ? 0.8 : std::min(1.5, 1 + (hard_newton - newton) / 8.0); }
+/// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
+constexpr int easy_before_extrapolation = 3;
 constexpr double solver_reduction = 0.25;
 /// After the solver failed, steps stay below this share of the one it failed at until so many were easy in a row.
 /// Otherwise they grow into the same failure again and again.
@@ -190,7 +192,7 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 && reason >= 0)
     PetscCall(self.extrapolate(snes, dt / self.history_.dt_past[0], guess));
   long limited = 0;
-  PetscCall(self.limits_.apply(self.guess_, guess, &limited));
+  PetscCall(self.limits_.apply(self.guess_, guess, 0.5, &limited));
   PetscCall(self.problem_.raise_temperature(guess, dt));
   PetscFunctionReturn(0);
 }
@@ -199,10 +201,10 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
 /// where fronts move or friction switches the line leads astray. What did well in the last step is not asked again.
 PetscErrorCode TimeStepper::extrapolate(SNES snes, double ratio, Vec guess) {
   PetscFunctionBeginUser;
-  if (history_.guess == FirstGuess::state) PetscFunctionReturn(0);
+  if (history_.guess == FirstGuess::state || history_.easy_steps < easy_before_extrapolation) PetscFunctionReturn(0);
   long limited = 0;
   PetscCall(VecAXPBYPCZ(predicted_, 1 + ratio, -ratio, 0, guess_, past_[0]));
-  PetscCall(limits_.apply(guess_, predicted_, &limited));
+  PetscCall(limits_.apply(guess_, predicted_, 0.5, &limited));
   if (history_.guess == FirstGuess::better) {
     Vec residual;
     double norm, norm_on_line;

@@ -17,8 +17,8 @@ class NewtonLimits {
   /// Registers with the line search of `snes`; the object must outlive it.
   PetscErrorCode attach(SNES snes);
   /// Changes `target`, meant to be reached from `from`, where it breaks a limit; adds to `limited` the unknowns changed
-  /// on this rank.
-  PetscErrorCode apply(Vec from, Vec target, long* limited) const;
+  /// on this rank. T may fall to `least_T` times what it was.
+  PetscErrorCode apply(Vec from, Vec target, double least_T, long* limited) const;
 
   long limited() const { return limited_; }  ///< unknowns limited so far, on this rank
   void reset() { limited_ = 0; }
