@@ -102,8 +102,7 @@ void Simulation::restart() {
   stepper_->history() = {saved.scalar("dt_next"),
                          {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
                          static_cast<int>(saved.scalar("easy_steps")),
-                         static_cast<FirstGuess>(static_cast<int>(saved.scalar("guess"))),
-                         saved.scalar("dt_bound")};
+                         static_cast<FirstGuess>(static_cast<int>(saved.scalar("guess")))};
   check_petsc(stepper_->set_time(time), "restart");
   totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
              saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
@@ -264,7 +263,6 @@ void Simulation::write_checkpoint() {
                            {"dt_past_1", history.dt_past[1]},
                            {"easy_steps", history.easy_steps},
                            {"guess", static_cast<double>(history.guess)},
-                           {"dt_bound", history.dt_bound},
                            {"steps", totals_.steps},
                            {"newton", totals_.newton},
                            {"krylov", totals_.krylov},

@@ -10,17 +10,11 @@ namespace scree {
 
 namespace {
 
-/// Newton iterations up to which a step counts as easy, and from which on as hard (the next one is shorter). A step of
-/// three or less makes room for half as much again, one of eight keeps its length. Doubling starts fail in cold beds.
+/// Newton iterations up to which a step counts as easy (it may grow), and from which on as hard (it shrinks).
 constexpr int easy_newton = 4, hard_newton = 8;
-double growth(int newton) { return newton >= hard_newton ? 0.8 : std::min(1.5, 1 + (hard_newton - newton) / 8.0); }
 /// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
 constexpr int easy_before_extrapolation = 3;
-constexpr double solver_reduction = 0.25;
-/// After the solver failed, steps stay below this share of the one it failed at until so many were easy in a row.
-/// Otherwise they grow into the same failure again and again.
-constexpr double below_failure = 0.7;
-constexpr int easy_before_failed_step = 12;
+constexpr double growth = 1.3, solver_reduction = 0.25;
 /// Residual per unknown at which Newton stops, as a share of the error that a step may make.
 constexpr double newton_share = 1e-3;
 /// Where an iteration has reduced the residual to this share, and it is within that factor of where Newton stops, the
@@ -231,7 +225,9 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   }
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
-  self.problem_.keep_jacobian(iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&
+  PetscBool tested;  // the one in use is to be that of the state
+  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_test_jacobian", &tested));
+  self.problem_.keep_jacobian(!tested && iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&
                               f_norm < kept_distance * tolerance);
   self.last_norm_ = f_norm;
   if (*reason > 0) PetscCall(self.correct_continuity(snes));
@@ -396,15 +392,16 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
 void TimeStepper::choose_next_step(double dt, const StepReport& report) {
   const bool failed = report.rejected_solver > 0;
   if (failed || report.rejected_error > 0 || report.newton > 2) history_.guess = FirstGuess::better;
-  history_.easy_steps = !failed && report.newton <= easy_newton ? history_.easy_steps + 1 : 0;
-  if (failed) history_.dt_bound = below_failure * dt / solver_reduction;
-  if (history_.easy_steps >= easy_before_failed_step) history_.dt_bound = 0;
-  double factor = failed ? 1 / solver_reduction : growth(report.newton);
+  const bool easy = !failed && report.newton <= easy_newton;
+  history_.easy_steps = easy ? history_.easy_steps + 1 : 0;
+  double factor = growth;
+  if (failed || report.newton >= hard_newton)
+    factor = failed ? 1.0 : 0.8;
+  else if (!easy)
+    factor = 1 + (growth - 1) * (hard_newton - report.newton) / (hard_newton - easy_newton);
   if (report.rejected_error > 0) factor = std::min(factor, 1.0);
   if (report.error > 0) factor = std::min(factor, 0.8 / std::sqrt(report.error));
-  double dt_next = std::min(dt * std::max(factor, 0.3), control_.step_max);
-  if (history_.dt_bound > 0) dt_next = std::min(dt_next, history_.dt_bound);
-  history_.dt_next = std::max(dt_next, control_.step_min);
+  history_.dt_next = std::clamp(dt * std::max(factor, 0.3), control_.step_min, control_.step_max);
 }
 
 }  // namespace scree

@@ -42,7 +42,6 @@ struct StepHistory {
   std::array<double, 2> dt_past{0, 0};  ///< steps before the current state, newest first; 0: none
   int easy_steps = 0;
   FirstGuess guess = FirstGuess::better;
-  double dt_bound = 0;  ///< that steps stay below, after the solver failed; 0: none [s]
 };
 
 /// Owns TS, the state and the states before it.
