@@ -18,7 +18,7 @@ TARGETS = (0.10, 0.03, 0.01)
 
 @dataclass(frozen=True)
 class Setting:
-    """What distinguishes the runs of a case. solver "" is the program's default for the gas."""
+    """What distinguishes the runs of a case. solver "" is the program's default."""
 
     grid: str
     advection: str = "upwind"
@@ -34,16 +34,14 @@ class Setting:
 
     @property
     def preset(self):
-        return self.solver or ("multigrid" if self.gas == "none" else "fieldsplit")
+        return self.solver or "default"
 
     @property
     def model(self):
         return self.friction_model, self.granular_temperature, self.gas, self.width
 
     def but(self, **changes):
-        """With `changes`; the default preset under its own name is the default preset."""
-        changed, by_default = dataclasses.replace(self, **changes), dataclasses.replace(self, **{**changes, "solver": ""})
-        return by_default if changed.preset == by_default.preset else changed
+        return dataclasses.replace(self, **changes)
 
     def label(self, usual):
         """Short and fit for a directory: grid, schemes, accuracy, and in what else it differs from `usual`."""

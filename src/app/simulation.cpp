@@ -102,6 +102,7 @@ void Simulation::restart() {
   stepper_->history() = {saved.scalar("dt_next"),
                          {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
                          static_cast<int>(saved.scalar("easy_steps")),
+                         {static_cast<int>(saved.scalar("calm_steps")), static_cast<int>(saved.scalar("calm_wait"))},
                          static_cast<FirstGuess>(static_cast<int>(saved.scalar("guess")))};
   check_petsc(stepper_->set_time(time), "restart");
   totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
@@ -262,6 +263,8 @@ void Simulation::write_checkpoint() {
                            {"dt_past_0", history.dt_past[0]},
                            {"dt_past_1", history.dt_past[1]},
                            {"easy_steps", history.easy_steps},
+                           {"calm_steps", history.newton.calm},
+                           {"calm_wait", history.newton.wait},
                            {"guess", static_cast<double>(history.guess)},
                            {"steps", totals_.steps},
                            {"newton", totals_.newton},

@@ -67,16 +67,10 @@ void Barriers::mark_plates(const std::vector<Plate>& plates) {
 
 void Barriers::mark_neighbourhood() {
   const Lattice& grid = *lattice_;
-  const int reach = grid.owned_first[0] - grid.ghosted_first[0];
-  Index first, count{{1, 1, 1}};
-  for (int axis = 0; axis < grid.dim; ++axis) {
-    first[axis] = -reach;
-    count[axis] = 2 * reach + 1;
-  }
   for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
     for (int axis = 0; axis < grid.dim; ++axis) {
       if (!at(axis, I)) continue;
-      for_each_node(first, count, [&](const Index& offset) {
+      for_each_offset(grid, [&](const Index& offset) {
         if (grid.is_ghosted(I + offset)) near_[grid.ghosted(I + offset)] = 1;
       });
     }

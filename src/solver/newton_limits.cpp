@@ -52,7 +52,7 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
   long limited = 0;
   // The line search goes from state to state - step.
   PetscCall(VecAYPX(step, -1, state));
-  PetscCall(self.apply(state, step, 0.01, &limited));
+  PetscCall(self.apply(state, step, least_T_of_iterate, &limited));
   self.limited_ += limited;
   long any = limited;
   PetscCallMPI(

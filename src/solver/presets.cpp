@@ -35,15 +35,6 @@ const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
                                 {"sub_pc_factor_levels", "1"},
                                 {"sub_pc_factor_shift_type", "nonzero"}};
 
-/// The same with ILU(0). For the steps that accuracy allows with gas it suffices: the bubble to .3 s takes 1698 Krylov
-/// iterations in place of 1679, and 23 s in place of 27 s.
-PetscOptionList ilu0_block() {
-  PetscOptionList list{{"sub_pc_factor_levels", "0"}};
-  for (const auto& option : ilu_block)
-    if (option.first != "sub_pc_factor_levels") list.push_back(option);
-  return list;
-}
-
 /// ... or one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
 /// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these.
 /// The aggregates depend on the pattern of the matrix alone: kept, they give the same iterations to the last, and a
@@ -61,6 +52,15 @@ const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"mg_levels_sub_pc_factor_levels", "1"},
                                       {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
+/// One ILU(0) a rank. For the steps that accuracy allows with gas it suffices: the bubble to .3 s takes 1698 Krylov
+/// iterations in place of 1679, and 23 s in place of 27 s.
+PetscOptionList ilu0_block() {
+  PetscOptionList list{{"sub_pc_factor_levels", "0"}};
+  for (const auto& option : ilu_block)
+    if (option.first != "sub_pc_factor_levels") list.push_back(option);
+  return list;
+}
+
 /// GMRES for fixed preconditioners. They stand on the right: left-preconditioned norms converge falsely.
 PetscOptionList gmres(const std::string& tolerance, const std::string& most_iterations) {
   return {{"ksp_type", "gmres"},
@@ -72,7 +72,7 @@ PetscOptionList gmres(const std::string& tolerance, const std::string& most_iter
 
 /// For ILU alone, whose many iterations would be a fifth orthogonalisation and 2 kB a cell with GMRES. Its factor is
 /// made at every Newton iteration: that costs eight iterations and saves more (1 mm bin on 20 x 263 cells to 1.1 s:
-/// 4239 instead of 7391).
+/// 4239 instead of 7391 with GMRES).
 const PetscOptionList bicgstab{{"ksp_type", "bcgs"},
                                {"ksp_pc_side", "right"},
                                {"ksp_max_it", "150"},
@@ -146,8 +146,7 @@ PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_
   if (preset == "direct") {
     append(direct);
   } else if (preset == "ilu") {
-    if (!gas) append(bicgstab);
-    append(gmres("1e-2", "300"));
+    append(gas ? gmres("1e-2", "300") : bicgstab);
     if (gas) append(gas_ilu);
     append(ilu_block);
   } else if (preset == "multigrid") {

@@ -15,8 +15,6 @@ constexpr int easy_newton = 4, hard_newton = 8;
 /// Easy steps in a row before the first guess is extrapolated: elsewhere extrapolation causes most of the failures.
 constexpr int easy_before_extrapolation = 3;
 constexpr double growth = 1.3, solver_reduction = 0.25;
-/// Residual per unknown at which Newton stops, as a share of the error that a step may make.
-constexpr double newton_share = 1e-3;
 /// Where an iteration has reduced the residual to this share, and it is within that factor of where Newton stops, the
 /// Jacobian and its factors serve for one more iteration: they converge about as fast.
 constexpr double kept_reduction = 0.1, kept_distance = 30;
@@ -72,7 +70,7 @@ PetscErrorCode TimeStepper::make_ts() {
     PetscCall(TSARKIMEXSetType(ts_, TSARKIMEX2E));
     PetscCall(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE));
     PetscCall(TSSetEquationType(ts_, TS_EQ_IMPLICIT));
-    PetscCall(TSSetPreStage(ts_, keep_jacobian));
+    PetscCall(TSSetPreStage(ts_, put_back_jacobian));
     finds_slope_ = true;
   } else {
     PetscCall(TSSetType(ts_, TSBEULER));
@@ -92,14 +90,12 @@ PetscErrorCode TimeStepper::make_ts() {
   PetscCall(TSSetSolution(ts_, state_));
 
   SNES snes;
-  PetscInt size;
   PetscCall(TSGetSNES(ts_, &snes));
-  PetscCall(VecGetSize(state_, &size));
-  const double root = std::sqrt(static_cast<double>(size));  // tolerances are per unknown, PETSc's norm is a sum
-  PetscCall(SNESSetTolerances(snes, newton_share * control_.accuracy * root, 1e-8, 0, 15,
-                              10000));  // stol 0: a failed line search ends with tiny steps
+  // The absolute tolerance is set_newton_tolerance's. stol 0: a failed line search ends with tiny steps.
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, 1e-8, 0, 15, 10000));
   PetscCall(SNESSetForceIteration(snes, PETSC_TRUE));
   PetscCall(TSSetFromOptions(ts_));
+  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_test_jacobian", &jacobian_tested_));
   PetscCall(SNESSetConvergenceTest(snes, converged, this, nullptr));
   PetscCall(SNESSetComputeInitialGuess(snes, first_guess, this));
   PetscCall(use_guarded_full_steps(snes));
@@ -110,7 +106,7 @@ PetscErrorCode TimeStepper::make_ts() {
 /// TSARKIMEX finds its first slope with a TS of its own, whose end takes the Jacobian and the splits of the
 /// preconditioner out of the SNES that both share; SNES would go on with a matrix from the DM, which has other entries
 /// than ours.
-PetscErrorCode TimeStepper::keep_jacobian(TS ts, PetscReal) {
+PetscErrorCode TimeStepper::put_back_jacobian(TS ts, PetscReal) {
   PetscFunctionBeginUser;
   SNES snes;
   Mat A, P;
@@ -171,6 +167,21 @@ PetscErrorCode TimeStepper::renew_preconditioner() {
   PetscFunctionReturn(0);
 }
 
+/// Residual per unknown at which Newton stops; PETSc's norm is a sum.
+PetscErrorCode TimeStepper::set_newton_tolerance() {
+  PetscFunctionBeginUser;
+  SNES snes;
+  PetscInt size;
+  PetscBool chosen;
+  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_atol", &chosen));
+  if (chosen) PetscFunctionReturn(0);
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(VecGetSize(state_, &size));
+  const double tolerance = history_.newton.share() * control_.accuracy * std::sqrt(static_cast<double>(size));
+  PetscCall(SNESSetTolerances(snes, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   PetscFunctionBeginUser;
   auto& self = *static_cast<TimeStepper*>(stepper);
@@ -178,6 +189,8 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   PetscCall(SNESGetConvergedReason(snes, &reason));
   if (reason < 0) {
     self.last_failure_ = SNESConvergedReasons[reason];
+    self.history_.newton.failed();
+    PetscCall(self.set_newton_tolerance());
     PetscCall(self.renew_preconditioner());
   }
 
@@ -186,7 +199,7 @@ PetscErrorCode TimeStepper::first_guess(SNES snes, Vec guess, void* stepper) {
   if (self.control_.scheme == "beuler" && self.control_.extrapolate && self.history_.dt_past[0] > 0 && reason >= 0)
     PetscCall(self.extrapolate(snes, dt / self.history_.dt_past[0], guess));
   long limited = 0;
-  PetscCall(self.limits_.apply(self.guess_, guess, 0.5, &limited));
+  PetscCall(self.limits_.apply(self.guess_, guess, NewtonLimits::least_T_of_guess, &limited));
   PetscCall(self.problem_.raise_temperature(guess, dt));
   PetscFunctionReturn(0);
 }
@@ -198,7 +211,7 @@ PetscErrorCode TimeStepper::extrapolate(SNES snes, double ratio, Vec guess) {
   if (history_.guess == FirstGuess::state || history_.easy_steps < easy_before_extrapolation) PetscFunctionReturn(0);
   long limited = 0;
   PetscCall(VecAXPBYPCZ(predicted_, 1 + ratio, -ratio, 0, guess_, past_[0]));
-  PetscCall(limits_.apply(guess_, predicted_, 0.5, &limited));
+  PetscCall(limits_.apply(guess_, predicted_, NewtonLimits::least_T_of_guess, &limited));
   if (history_.guess == FirstGuess::better) {
     Vec residual;
     double norm, norm_on_line;
@@ -221,13 +234,11 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   if (*reason > 0 && iteration > 0) {
     double correction;
     PetscCall(self.continuity_correction(snes, &correction));
-    if (correction > newton_share * self.control_.accuracy) *reason = SNES_CONVERGED_ITERATING;
+    if (correction > self.history_.newton.share() * self.control_.accuracy) *reason = SNES_CONVERGED_ITERATING;
   }
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
-  PetscBool tested;  // the one in use is to be that of the state
-  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_test_jacobian", &tested));
-  self.problem_.keep_jacobian(!tested && iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&
+  self.problem_.keep_jacobian(!self.jacobian_tested_ && iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&
                               f_norm < kept_distance * tolerance);
   self.last_norm_ = f_norm;
   if (*reason > 0) PetscCall(self.correct_continuity(snes));
@@ -314,6 +325,7 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   PetscCall(count(0));
   last_failure_.clear();
   PetscCall(renew_preconditioner());
+  PetscCall(set_newton_tolerance());
   TSAdapt adapt;  // what is left to a given time may be less than step_min
   PetscCall(TSGetAdapt(ts_, &adapt));
   const double least = std::min(control_.step_min, dt);
@@ -327,6 +339,7 @@ PetscErrorCode TimeStepper::attempt(double dt, StepReport* report, bool* done) {
   report->krylov += static_cast<int>(krylov[1] - krylov[0]);
   report->rejected_solver += static_cast<int>(failures[1] - failures[0]);
   if (failures[1] > failures[0]) report->reason = last_failure_;
+
   TSConvergedReason reason;
   PetscCall(TSGetConvergedReason(ts_, &reason));
   if (reason < 0) {
@@ -394,6 +407,7 @@ void TimeStepper::choose_next_step(double dt, const StepReport& report) {
   if (failed || report.rejected_error > 0 || report.newton > 2) history_.guess = FirstGuess::better;
   const bool easy = !failed && report.newton <= easy_newton;
   history_.easy_steps = easy ? history_.easy_steps + 1 : 0;
+  history_.newton.step_done(failed);
   double factor = growth;
   if (failed || report.newton >= hard_newton)
     factor = failed ? 1.0 : 0.8;

@@ -75,8 +75,6 @@ checks.equal("10 %: cheapest", (ten.row.setting.grid, ten.row.setting.advection)
 checks.equal("3 %: cheapest", (three.row.setting.grid, three.row.setting.advection), ("1 mm", "van_albada"))
 checks.true("3 % is reached", three.reached)
 checks.true("1 % is not reached: the nearest", not one.reached and one.row is three.row)
-named = {Setting("2 mm", gas="none", solver="multigrid").but(ranks=1), usual.but(solver="multigrid")}
-checks.equal("the default preset by its name is the default", named, {usual})
 
 # Files.
 page = work_precision.choice_text("made up", rows + [simple, with_gas], references, usual)

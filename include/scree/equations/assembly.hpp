@@ -41,16 +41,10 @@ struct Assembly {
   void mark_plain() {
     const Lattice& grid = scene.lattice;
     const auto all = static_cast<std::uint16_t>((1U << unknowns) - 1);
-    const int reach = grid.owned_first[0] - grid.ghosted_first[0];
-    Index first, count{{1, 1, 1}};
-    for (int axis = 0; axis < grid.dim; ++axis) {
-      first[axis] = -reach;
-      count[axis] = 2 * reach + 1;
-    }
     plain.assign(static_cast<std::size_t>(grid.ghosted_size()), 0);
     for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
       bool special = scene.barriers.near(I);
-      for_each_node(first, count, [&](const Index& offset) {
+      for_each_offset(grid, [&](const Index& offset) {
         special = special || !grid.is_owned(I + offset) || balance[grid.ghosted(I + offset)] != all;
       });
       plain[grid.ghosted(I)] = !special;

@@ -86,6 +86,17 @@ void for_each_node(const Index& first, const Index& count, Work&& work) {
       for (int i = first[0]; i < first[0] + count[0]; ++i) work(Index{{i, j, k}});
 }
 
+/// Calls work(offset) for the offsets, zero among them, of all nodes that the ghost layer lets a node see.
+template <class Work>
+void for_each_offset(const Lattice& grid, Work&& work) {
+  Index first, count{{1, 1, 1}};
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    first[axis] = grid.ghosted_first[0] - grid.owned_first[0];
+    count[axis] = 1 - 2 * first[axis];
+  }
+  for_each_node(first, count, work);
+}
+
 /// A DMDA for `unknowns` unknowns a node, `stencil_width` <= halo. The caller destroys it.
 PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm);
 

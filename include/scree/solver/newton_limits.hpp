@@ -8,10 +8,14 @@
 namespace scree {
 
 /// Limits of one Newton step, component by component: nu takes at most .7 of what is left to nu_max and stays >= 0,
-/// T keeps at least 1 % and chi 10 % of its value, chi stays below the tip of the yield surface. These limit the way of
-/// an iterate only: a converged state satisfies its equations, nothing is clipped.
+/// T keeps at least a share and chi 10 % of its value, chi stays below the tip of the yield surface. These limit the
+/// way of an iterate only: a converged state satisfies its equations, nothing is clipped.
 class NewtonLimits {
  public:
+  /// Shares that T keeps: in a Newton step, and in the first guess of a step in time, from where Newton's method
+  /// seldom finds back up.
+  static constexpr double least_T_of_iterate = 0.01, least_T_of_guess = 0.5;
+
   explicit NewtonLimits(const DiscreteProblem& problem);
 
   /// Registers with the line search of `snes`; the object must outlive it.

@@ -4,15 +4,17 @@
 #include <petscts.h>
 
 #include <array>
+#include <limits>
 #include <string>
 
 #include "scree/solver/newton_limits.hpp"
+#include "scree/solver/newton_tolerance.hpp"
 
 namespace scree {
 
 struct StepControl {
-  std::string scheme = "beuler";                                  ///< beuler, bdf (order 2) or arkimex
-  double step_initial = 1e-6, step_min = 1e-12, step_max = 2e-2;  ///< [s]
+  std::string scheme = "beuler";  ///< beuler, bdf (order 2) or arkimex
+  double step_initial = 1e-6, step_min = 1e-12, step_max = std::numeric_limits<double>::infinity();  ///< [s]
   double accuracy = 1e-2;   ///< root mean square of the local error of a step, in units of the scales; it counts nu,
                             ///< v, T and chi, or u in scenes where it alone can change: p_g has no error of its own
   bool adaptive = true;     ///< false: every step is step_initial
@@ -41,6 +43,7 @@ struct StepHistory {
   double dt_next = 0;
   std::array<double, 2> dt_past{0, 0};  ///< steps before the current state, newest first; 0: none
   int easy_steps = 0;
+  NewtonTolerance newton;
   FirstGuess guess = FirstGuess::better;
 };
 
@@ -77,7 +80,7 @@ class TimeStepper {
 
  private:
   static PetscErrorCode converged(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason*, void* stepper);
-  static PetscErrorCode keep_jacobian(TS, PetscReal stage_time);
+  static PetscErrorCode put_back_jacobian(TS, PetscReal stage_time);
   static PetscErrorCode first_guess(SNES, Vec guess, void* stepper);
   PetscErrorCode extrapolate(SNES snes, double ratio, Vec guess);
   PetscErrorCode make_ts();
@@ -87,6 +90,7 @@ class TimeStepper {
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
   PetscErrorCode renew_preconditioner();
+  PetscErrorCode set_newton_tolerance();
   void choose_next_step(double dt, const StepReport& report);
 
   DiscreteProblem& problem_;
@@ -100,7 +104,8 @@ class TimeStepper {
   bool finds_slope_ = false;           ///< TSARKIMEX begins with a step of the same length to find its first slope
   VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
-  double last_norm_ = 0;  ///< residual of Newton's iteration before
+  PetscBool jacobian_tested_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
+  double last_norm_ = 0;                     ///< residual of Newton's iteration before
 };
 
 }  // namespace scree
