@@ -167,7 +167,14 @@ PetscErrorCode TimeStepper::renew_preconditioner() {
   PetscFunctionReturn(0);
 }
 
-/// Residual per unknown at which Newton stops; PETSc's norm is a sum.
+/// Schemes of order 2 do not keep nu positive: in voids a loose solution takes it below what the floor of the inertia
+/// there bears.
+double TimeStepper::newton_residual() const {
+  const NewtonTolerance newton = control_.scheme == "beuler" ? history_.newton : NewtonTolerance();
+  return newton.residual(control_.accuracy);
+}
+
+/// PETSc's norm is a sum over unknowns.
 PetscErrorCode TimeStepper::set_newton_tolerance() {
   PetscFunctionBeginUser;
   SNES snes;
@@ -177,7 +184,7 @@ PetscErrorCode TimeStepper::set_newton_tolerance() {
   if (chosen) PetscFunctionReturn(0);
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(VecGetSize(state_, &size));
-  const double tolerance = history_.newton.share() * control_.accuracy * std::sqrt(static_cast<double>(size));
+  const double tolerance = newton_residual() * std::sqrt(static_cast<double>(size));
   PetscCall(SNESSetTolerances(snes, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscFunctionReturn(0);
 }
@@ -234,7 +241,7 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   if (*reason > 0 && iteration > 0) {
     double correction;
     PetscCall(self.continuity_correction(snes, &correction));
-    if (correction > self.history_.newton.share() * self.control_.accuracy) *reason = SNES_CONVERGED_ITERATING;
+    if (correction > self.newton_residual()) *reason = SNES_CONVERGED_ITERATING;
   }
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));

@@ -90,6 +90,7 @@ class TimeStepper {
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
   PetscErrorCode renew_preconditioner();
+  double newton_residual() const;  ///< per unknown, at which Newton's method stops
   PetscErrorCode set_newton_tolerance();
   void choose_next_step(double dt, const StepReport& report);
 
