@@ -90,6 +90,7 @@ class TimeStepper {
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);
   PetscErrorCode renew_preconditioner();
+  PetscErrorCode renew_if_aged(SNES snes);
   double newton_residual() const;  ///< per unknown, at which Newton's method stops
   PetscErrorCode set_newton_tolerance();
   void choose_next_step(double dt, const StepReport& report);
@@ -106,7 +107,8 @@ class TimeStepper {
   VolumeImbalance attempt_imbalance_;  ///< per unit time
   std::string last_failure_;
   PetscBool jacobian_tested_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
-  double last_norm_ = 0;                     ///< residual of Newton's iteration before
+  PetscInt fresh_krylov_ = -1;  ///< iterations of the first system that the preconditioner solved; -1: none yet
+  double last_norm_ = 0;        ///< residual of Newton's iteration before
 };
 
 }  // namespace scree
