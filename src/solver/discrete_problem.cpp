@@ -263,6 +263,31 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   PetscFunctionReturn(0);
 }
 
+PetscErrorCode DiscreteProblem::continuity_correction(Vec state, Vec residual, double* change, double* least) const {
+  PetscFunctionBeginUser;
+  const Lattice& grid = *lattice_;
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(dm_));
+  const double *x, *f;
+  PetscCall(VecGetArrayRead(state, &x));
+  PetscCall(VecGetArrayRead(residual, &f));
+  double sums[2]{0, 0};  // of squares, of cells
+  *least = PETSC_INFINITY;
+  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+    if (!model_->is_balance(Model::solids_fraction, I)) return;
+    const int nu = grid.owned(I) * model_->unknowns() + Model::solids_fraction;
+    const double correction = f[nu] / model_->continuity_scale() / last_shift_;
+    sums[0] += correction * correction;
+    sums[1] += 1;
+    *least = std::min(*least, x[nu] - correction);
+  });
+  PetscCall(VecRestoreArrayRead(residual, &f));
+  PetscCall(VecRestoreArrayRead(state, &x));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, least, 1, MPI_DOUBLE, MPI_MIN, comm));
+  *change = std::sqrt(sums[0] / sums[1]);
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode DiscreteProblem::lag_friction(Vec state, double dt) const {
   PetscFunctionBeginUser;
   const double share = dt / (dt + setup_.solids.friction.tau);

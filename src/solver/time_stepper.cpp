@@ -260,9 +260,9 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
   auto& self = *static_cast<TimeStepper*>(stepper);
   if (*reason > 0 && iteration > 0) {
-    double correction;
-    PetscCall(self.continuity_correction(snes, &correction));
-    if (correction > self.newton_residual()) *reason = SNES_CONVERGED_ITERATING;
+    bool converged;
+    PetscCall(self.continuity_converged(snes, &converged));
+    if (!converged) *reason = SNES_CONVERGED_ITERATING;
   }
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
@@ -274,16 +274,16 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   PetscFunctionReturn(0);
 }
 
-/// Root mean square of what correct_continuity would change nu by: the residual times dt, which counts in long steps.
-PetscErrorCode TimeStepper::continuity_correction(SNES snes, double* correction) const {
+/// Whether correct_continuity would change nu by no more than Newton's tolerance, which in long steps takes more than a
+/// small residual, and leave it where it can be: nu below minus the floor of voids is a negative inertia.
+PetscErrorCode TimeStepper::continuity_converged(SNES snes, bool* converged) const {
   PetscFunctionBeginUser;
-  Vec residual;
-  PetscInt size;
+  Vec state, residual;
+  double change, least;
+  PetscCall(SNESGetSolution(snes, &state));
   PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
-  PetscCall(VecStrideNorm(residual, Model::solids_fraction, NORM_2, correction));
-  PetscCall(VecGetSize(residual, &size));
-  *correction *= std::sqrt(problem_.model().unknowns() / static_cast<double>(size)) /
-                 problem_.model().continuity_scale() / problem_.last_shift();
+  PetscCall(problem_.continuity_correction(state, residual, &change, &least));
+  *converged = change <= newton_residual() && least >= -0.5 * problem_.setup().model.void_fraction_floor;
   PetscFunctionReturn(0);
 }
 

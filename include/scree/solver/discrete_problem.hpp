@@ -60,6 +60,8 @@ class DiscreteProblem {
   /// evaluation by TS. The imbalances are zero but for rounding; where u is no unknown (gas darcy) that of the gas is
   /// what Newton's method leaves. u goes with nu as it was before, as in the fluxes of the step.
   PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
+  /// What correct_continuity would do to nu: root mean square of its change, and its least value afterwards.
+  PetscErrorCode continuity_correction(Vec state, Vec residual, double* change, double* least) const;
   /// Friction lagged by a step: chi of `state` after a step of dt of (23) without advection, or chi* itself.
   PetscErrorCode lag_friction(Vec state, double dt) const;
   /// Raises T of a first guess where it is too cold for a step of dt, see Model::raise_temperature.
