@@ -284,7 +284,7 @@ PetscErrorCode DiscreteProblem::continuity_correction(Vec state, Vec residual, d
   PetscCall(VecRestoreArrayRead(state, &x));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, least, 1, MPI_DOUBLE, MPI_MIN, comm));
-  *change = std::sqrt(sums[0] / sums[1]);
+  *change = sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;  // particles at rest have no balance
   PetscFunctionReturn(0);
 }
 
