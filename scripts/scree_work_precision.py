@@ -66,6 +66,7 @@ class Row:
     cell_size: float  # root of the mean cell area [cm]
     cost: dict
     values: dict
+    family: str = "uniform"  # grids that refine one another
     errors: dict = field(default_factory=lambda: {"total": {}, "time": {}, "model": {}})
     doubts: dict = field(default_factory=lambda: {"total": {}, "time": {}})
 
@@ -148,6 +149,15 @@ def plain(rows, usual):
             if all(getattr(row.setting, name) == getattr(usual, name) for name in same)]
 
 
+def finest_family(rows):
+    """The rows of the family of grids that has the smallest cells: others have other factors of their errors."""
+    families = {}
+    for row in rows:
+        families.setdefault(row.family, []).append(row)
+    several = [group for group in families.values() if len({row.setting.grid for row in group}) > 1]
+    return min(several, key=lambda group: min(row.cell_size for row in group), default=[])
+
+
 def reference_accuracy(rows):
     """The accuracy at which some scheme has the finest three grids; among equals the tightest."""
     best = None
@@ -178,7 +188,7 @@ def grid_reference(rows, quantity, usual):
     Richardson's extrapolation of the advection scheme that it moves least; if its order is irregular the mean of the
     schemes' extrapolations. Uncertain by half the distance of the schemes' extrapolations, at least CORRECTION_DOUBT of
     the correction, plus what the steps in time of these runs make."""
-    rows = plain(rows, usual)
+    rows = finest_family(plain(rows, usual))
     accuracy = reference_accuracy(rows)
     series = grid_series(rows, quantity, accuracy) if accuracy else []
     if not series:

@@ -91,9 +91,10 @@ def band(axes, doubt):
 
 
 def by_curve(rows, *names):
+    """Rows by these names of their settings and by the family of their grids."""
     groups = {}
     for row in rows:
-        groups.setdefault(tuple(getattr(row.setting, name) for name in names), []).append(row)
+        groups.setdefault((*(getattr(row.setting, name) for name in names), row.family), []).append(row)
     return groups
 
 
@@ -104,7 +105,8 @@ def curve(axes, group, kind, name, doubt, text):
         return
     setting = group[0].setting
     axes.plot([row.cost["cpu_s"] for row in group], [per_cent(row.error(kind, name)) for row in group],
-              LINES[setting.advection], color=COLOURS[setting.advection], linewidth=1.3, zorder=2)
+              LINES[setting.advection], color=COLOURS[setting.advection], zorder=2,
+              linewidth=1.3 if group[0].family == "uniform" else 2.6)
     place = (5, 5 if setting.advection == "upwind" else -12)
     for row in group:
         error = row.error(kind, name)
@@ -114,8 +116,8 @@ def curve(axes, group, kind, name, doubt, text):
 
 
 def draw_total(rows, references, usual, case):
-    """Error against the extrapolated value: a curve over grids for each pair of schemes; small points are the runs of other
-    accuracies and steps."""
+    """Error against the extrapolated value: a curve over grids for each pair of schemes and family of grids; small points
+    are the runs of other accuracies and steps."""
     names = [name for name, reference in references.items() if reference]
     figure, all_axes = panels(names, case, "CPU seconds", "error against extrapolated value (%)")
     same = [row for row in rows if row.setting.model == usual.model and not row.setting.solver and row.setting.ranks == 1]
@@ -223,7 +225,7 @@ def draw_solvers(rows, case):
     heights = [len(group) for group in grids.values()]
     figure, all_axes = plt.subplots(len(grids), 1, squeeze=False, gridspec_kw={"height_ratios": heights},
                                     figsize=(8.2, 1.6 + 0.36 * sum(heights) + 0.5 * len(grids)))
-    for axes, ((grid,), group) in zip(all_axes[:, 0], grids.items()):
+    for axes, ((grid, _), group) in zip(all_axes[:, 0], grids.items()):
         draw_phases(axes, sorted(group, key=lambda row: -row.cost["cpu_s"]))
         axes.set_title(grid, loc="left", fontsize=11)
     all_axes[-1, 0].set_xlabel("CPU seconds of all ranks")

@@ -39,11 +39,18 @@ STRAIN_RATE_FLOOR = 10  # [1/s], which algebraic T needs
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells of the blocks of half the domain along x and y, and what -grid_refine multiplies them with."""
+    """Cells of the blocks of half the domain along x and y, what -grid_refine multiplies them with, and the ratios of
+    last to first cell of the blocks, where they are not all of one size."""
 
     x: tuple
     y: tuple
     refine: int = 1
+    x_ratio: tuple = ()
+    y_ratio: tuple = ()
+
+    @property
+    def family(self):
+        return "graded" if self.x_ratio else "uniform"
 
     @property
     def cells(self):
@@ -81,6 +88,14 @@ SIMPLER_MODELS = ({"friction_model": "critical_state"}, {"granular_temperature":
                   {"friction_model": "critical_state", "granular_temperature": "algebraic"}, {"width": "full"})
 
 BIN_GRIDS = {"4 mm": Grid((2, 8), (7, 125)), "2 mm": Grid((4, 16), (13, 250)), "1 mm": Grid((4, 16), (13, 250), 2)}
+
+
+def graded(refine):
+    """Fine at the lip of the orifice: 1.75 mm x 4 mm there over `refine`, six times as wide and high far from it."""
+    return Grid((4, 6), (8, 90), refine, (1, 6), (0.4, 6))
+
+
+GRADED_GRIDS = {"2 mm graded": graded(1), "1 mm graded": graded(2), "0.5 mm graded": graded(4)}
 BIN = dict(
     usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), box=(4, 105), read=scree_quantities.bin_quantities,
     full_width={
@@ -92,13 +107,16 @@ BIN = dict(
 )
 SCENES = {
     "bin_discharge": Scene(
-        **BIN, grids={**BIN_GRIDS, "0.5 mm": Grid((4, 16), (13, 250), 4)}, product_grids=("4 mm", "2 mm", "1 mm"),
-        costly_grids=("0.5 mm",), costly_accuracies=(1e-2,),
+        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS, "0.25 mm graded": graded(8)},
+        product_grids=("4 mm", "2 mm", "2 mm graded", "1 mm graded"),
+        costly_grids=("1 mm", "0.5 mm graded", "0.25 mm graded"), costly_accuracies=(1e-2,),
         solver_grids=("2 mm", "1 mm"), preset="ilu", models=(*SIMPLER_MODELS, {"gas": "darcy"}, {"gas": "incompressible"}), gas="none",
         window=(0.3, 0.5), field_interval=0.02, cpu_seconds=11, cost_exponent=1.15,
     ),
     "bin_discharge_fine": Scene(
-        **BIN, grids=BIN_GRIDS, product_grids=("4 mm", "2 mm"), costly_grids=("1 mm",), costly_accuracies=(1e-2,),
+        **BIN, grids={"4 mm": BIN_GRIDS["4 mm"], "2 mm": BIN_GRIDS["2 mm"], **GRADED_GRIDS},
+        product_grids=("4 mm", "2 mm", "2 mm graded", "1 mm graded"),
+        costly_grids=("0.5 mm graded",), costly_accuracies=(1e-2,),
         solver_grids=("2 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "none"}, {"gas": "darcy"}), gas="incompressible",
         window=(0.6, 0.8), field_interval=0.02, cpu_seconds=50, cost_exponent=1.5,
     ),
@@ -179,6 +197,8 @@ def options(scene, setting, end_time):
         "granular_temperature": setting.granular_temperature, "gas": setting.gas,
         "end_time": end_time, "output_interval": scene.field_interval, "checkpoint_interval": 0,
     }
+    if grid.x_ratio:
+        result["grid_x_ratio"], result["grid_y_ratio"] = (", ".join(map(str, ratio)) for ratio in (grid.x_ratio, grid.y_ratio))
     if setting.granular_temperature == "algebraic":
         result["friction_strain_rate_floor"] = STRAIN_RATE_FLOOR
     if setting.solver:
@@ -273,7 +293,7 @@ class Runs:
                 found.append(work_precision.Row(
                     setting, (self.scene.box[0] * self.scene.box[1] / grid.cells) ** 0.5,
                     scree_quantities.cost(directory, self.window),
-                    scree_quantities.quantities(self.scene.read, directory, self.window)))
+                    scree_quantities.quantities(self.scene.read, directory, self.window), grid.family))
         return found
 
 
