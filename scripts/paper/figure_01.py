@@ -24,14 +24,15 @@ def draw(given, directories):
         axes.plot(*critical, "ko", markersize=4)
         axes.annotate(f"$C_{number}$", critical, xytext=(5, -11), textcoords="offset points")
         top = p_c * yield_locus.apex()
-        axes.annotate(rf"$V_{number}$, $\nu_{number}$ = {nu:.3f}", (top, top), xytext=(5, 2), textcoords="offset points")
+        label = rf"$V_{number}$, $\nu_{number}$ = {nu:.3f}"
+        axes.annotate(label, (top, top), xytext=(5, 2), textcoords="offset points")
     reach = 1.45 * p_c * yield_locus.apex()
     slope = (1 - yield_locus.SIN_PHI) / (1 + yield_locus.SIN_PHI)
     axes.plot([0, reach], [0, slope * reach], "k:", linewidth=1.2, label="critical states")
     axes.plot([0, slope * reach], [0, reach], "k:", linewidth=1.2)
     axes.annotate("O", (0, 0), xytext=(-14, -4), textcoords="offset points")
-    axes.set(xlabel=r"$\sigma_1$ (10$^3$ dyn/cm$^2$)", ylabel=r"$\sigma_2$ (10$^3$ dyn/cm$^2$)", xlim=(0, reach), ylim=(0, reach),
-             aspect="equal")
+    axes.set(xlabel=r"$\sigma_1$ (10$^3$ dyn/cm$^2$)", ylabel=r"$\sigma_2$ (10$^3$ dyn/cm$^2$)", xlim=(0, reach),
+             ylim=(0, reach), aspect="equal")
     axes.legend(loc="upper right", fontsize=10)
     return figure, ["solids_fraction", "branch", "chi", "sigma_1 [dyn/cm2]", "sigma_2 [dyn/cm2]"], rows
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Figure 7: nu along the centreline, means over the plateau; 1 mm particles, critical state and air against the full model."""
+"""Figure 7: nu along the centreline, means over the plateau; 1 mm particles, critical state and air against the full
+model."""
 import paper_figures
 from plot_bin_discharge import ABOVE, BELOW
 
@@ -7,8 +8,8 @@ RUNS = {"bin": "relaxed", "bin_critical_state": "critical state", "bin_air": "re
 
 
 def draw(given, directories):
-    runs = {label: paper_figures.Discharge(directories[name], paper_figures.window_of(name)) for name, label in RUNS.items()}
-    curves = {label: (run.y, run.mean_centreline("solids_fraction")) for label, run in runs.items()}
+    runs = paper_figures.discharges(directories.values(), paper_figures.window_of("bin_air"))
+    curves = {label: (run.y, run.mean_centreline("solids_fraction")) for label, run in zip(RUNS.values(), runs)}
     figure, axes, rows = paper_figures.draw_centrelines(curves, r"solids fraction $\nu$", (-BELOW, ABOVE))
     axes.set_xlim(0, 0.65)
     return figure, ["run", "y [cm]", "nu"], rows

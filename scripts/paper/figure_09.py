@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Figure 9: plateau rate against the width of the orifice, its exponent, and C of W = C rho_i sqrt(g) D_o^1.5 H, (28)."""
+"""Figure 9: plateau rate against the width of the orifice, its exponent, and C of W = C rho_i sqrt(g) D_o^1.5 H,
+(28)."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -15,8 +16,8 @@ PAPER_EXPONENT = 1.4
 
 
 def rates(directories):
-    """Orifice width [cm] -> mean rate [g/s]."""
-    return {float(width): paper_figures.Discharge(directories[name], WINDOW).mean_rate() for width, name in WIDTHS.items()}
+    """Orifice width [cm] -> mean rate [g/s]; directories in the order of WIDTHS."""
+    return {float(width): run.mean_rate() for width, run in zip(WIDTHS, paper_figures.discharges(directories, WINDOW))}
 
 
 def fit(rates):
@@ -32,14 +33,15 @@ def beverloo(width, rate):
 
 
 def draw(given, directories):
-    found = rates(directories)
+    found = rates(directories.values())
     exponent, factor = fit(found)
     mean_c = np.mean([beverloo(width, rate) for width, rate in found.items()])
     figure, axes = plt.subplots(figsize=(5.6, 4.4))
     width = np.linspace(1.3, 2.1, 50)
     axes.plot(list(found), list(found.values()), "ko", label="plateau rate")
     axes.plot(width, factor * width**exponent, "k-", linewidth=1.4, label=rf"$W \sim D_o^{{{exponent:.2f}}}$")
-    axes.plot(width, mean_c * DENSITY * np.sqrt(GRAVITY) * width**1.5, "k:", linewidth=1.4, label=f"(28), C = {mean_c:.2f}")
+    correlation = mean_c * DENSITY * np.sqrt(GRAVITY) * width**1.5
+    axes.plot(width, correlation, "k:", linewidth=1.4, label=f"(28), C = {mean_c:.2f}")
     axes.plot(1.4, PAPER_RATE, "kx", label="paper, 1.4 cm, about 144 g/s")
     axes.set(xlabel="orifice width $D_o$ (cm)", ylabel="discharge rate (g/s)", xlim=(1.3, 2.1), ylim=(0, None))
     axes.legend(loc="lower right", fontsize=10)

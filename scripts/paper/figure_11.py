@@ -6,9 +6,9 @@ from plot_bin_discharge import ABOVE, BELOW
 
 
 def draw(given, directories):
-    runs = {label: paper_figures.Discharge(directories[name], paper_figures.window_of(name))
-            for name, label in figure_10.RUNS.items()}
-    curves = {label: (run.y, run.mean_centreline("solids_fraction")) for label, run in runs.items()}
+    runs = paper_figures.discharges(directories.values(), paper_figures.window_of("fine_air"))
+    labels = figure_10.RUNS.values()
+    curves = {label: (run.y, run.mean_centreline("solids_fraction")) for label, run in zip(labels, runs)}
     figure, axes, rows = paper_figures.draw_centrelines(curves, r"solids fraction $\nu$", (-BELOW, ABOVE))
     axes.set_xlim(0.4, 0.65)
     return figure, ["run", "y [cm]", "nu"], rows

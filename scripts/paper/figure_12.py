@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Figure 12: gas pressure over that of the atmosphere along the centreline, mean over the plateau; 100 um particles in air."""
+"""Figure 12: gas pressure over that of the atmosphere along the centreline, mean over the plateau; 100 um particles in
+air."""
 import paper_figures
 from plot_bin_discharge import BELOW
 
@@ -10,8 +11,8 @@ SHOWN = 40.0  # [cm] above the orifice
 def draw(given, directories):
     run = paper_figures.Discharge(directories["fine_air"], paper_figures.window_of("fine_air"))
     pressure = 1 + run.mean_centreline("gas_pressure") / ATMOSPHERE
-    figure, axes, rows = paper_figures.draw_centrelines({"with air": (run.y, pressure)}, "gas pressure / atmospheric pressure",
-                                                        (-BELOW, SHOWN))
+    curves, label = {"with air": (run.y, pressure)}, "gas pressure / atmospheric pressure"
+    figure, axes, rows = paper_figures.draw_centrelines(curves, label, (-BELOW, SHOWN))
     axes.ticklabel_format(axis="x", useOffset=False)
     axes.tick_params(axis="x", labelsize=9)
     rows = [(name, y, ratio, (ratio - 1) * ATMOSPHERE * 10) for name, y, ratio in rows]

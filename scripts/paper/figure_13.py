@@ -5,7 +5,8 @@ import numpy as np
 import paper_figures
 import plot_bubble_rise
 
-RUNS = {"bubble_relaxed": "(a) relaxed", "bubble_critical_state": "(b) critical state", "bubble_no_friction": "(c) no friction"}
+RUNS = {"bubble_relaxed": "(a) relaxed", "bubble_critical_state": "(b) critical state",
+        "bubble_no_friction": "(c) no friction"}
 
 
 def draw(given, directories):

@@ -13,7 +13,6 @@ import plot_bin_discharge
 import scree_output
 import scree_plots
 
-BLACK = dict(color="black")
 #: Curves of a figure as the paper has them: solid, broken, dotted; widths leave coinciding ones visible.
 LINES = [dict(color="0.65", linestyle="-", linewidth=3.4), dict(color="black", linestyle="--", linewidth=1.6),
          dict(color="black", linestyle=":", linewidth=1.8), dict(color="black", linestyle="-.", linewidth=1.4)]
@@ -27,10 +26,11 @@ class Discharge(plot_bin_discharge.Run):
     """A run of the bin with its means over a window of time, in cgs units; heights are over the orifice plane."""
 
     def __init__(self, directory, window=(), at=None):
-        """window: of the means [s]; of a run that ends before it, its last half is taken. at: time of the fields [s]."""
+        """window: of the means [s]; of a run that ends before it, its last half is taken. at: time of the fields
+        [s]."""
         super().__init__(directory, field_at(directory, at) if at is not None else None)
-        end = self.monitor_time[-1]
-        self.window = window if window and end >= window[1] * (1 - 1e-9) else (end / 2, end)
+        last_half = self.monitor_time[-1] / 2, self.monitor_time[-1]
+        self.window = window if window and self.reaches(window[1]) else last_half
 
     def reaches(self, time):
         return self.monitor_time[-1] >= time * (1 - 1e-9)
@@ -63,6 +63,15 @@ class Discharge(plot_bin_discharge.Run):
         """On the centreline; NaN where the model has no such field."""
         profile = self.mean_centreline(name, window)
         return float("nan") if profile is None else float(np.interp(0.0, self.y, profile))
+
+
+def discharges(directories, window):
+    """Runs with the same window of their means: the last half of the shortest where that ends before it."""
+    runs = [Discharge(directory, window) for directory in directories]
+    shortest = min(runs, key=lambda run: run.monitor_time[-1])
+    for run in runs:
+        run.window = shortest.window
+    return runs
 
 
 def mean_over(window, times, values):
@@ -115,8 +124,8 @@ def up_to_date(out, name, script, records):
 
 
 def produce(name, text, draw, needs=(), grid="paper"):
-    """The main function of a figure's script: gets its runs, draws, writes. draw(given, directories of the runs) gives the
-    figure, the header and the rows of its data."""
+    """The main function of a figure's script: gets its runs, draws, writes. draw(given, directories of the runs) gives
+    the figure, the header and the rows of its data."""
     script = Path(inspect.getfile(draw))
 
     def main():
@@ -159,8 +168,8 @@ def draw_rates(curves, paper=None):
 
 
 def draw_centrelines(curves, xlabel, y_range):
-    """Profiles along the centreline with the height as vertical axis; curves: label -> (y, values). Returns the figure, its
-    axes and the rows of its data."""
+    """Profiles along the centreline with the height as vertical axis; curves: label -> (y, values). Returns the figure,
+    its axes and the rows of its data."""
     figure, axes = plt.subplots(figsize=(5.4, 5.2))
     lines = LINES if len(curves) > 1 else [ONE_LINE]
     for (label, (y, values)), line in zip(curves.items(), lines):

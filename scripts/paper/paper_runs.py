@@ -4,9 +4,9 @@
     scripts/paper/paper_runs.py            # lists the runs of the page, what they are thought to take, what is left
     scripts/paper/paper_runs.py --left     # only the last line of that
 
-A run is kept in OUT/runs/NAME_GRID: run.json (its options, how far it got, what it took), log, out/ (what scree leaves). It is
-reused as long as its options and those of its case are the same, whatever the ranks; one that got less far than is asked for
-goes on from its last checkpoint."""
+A run is kept in OUT/runs/NAME_GRID: run.json (its options, how far it got, what it took), log, out/ (what scree
+leaves). It is reused as long as its options and those of its case are the same, whatever the ranks; one that got less
+far than is asked for goes on from its last checkpoint."""
 import argparse
 import contextlib
 import fcntl
@@ -96,6 +96,8 @@ WIDTH_CELLS = {"1.6": {"coarse": "4, 16", "paper": "8, 32"}, "1.8": {"coarse": "
 BIN = dict(coarse="bin_discharge/case.yaml", paper="bin_discharge/paper.yaml", interval=0.1)
 BUBBLE = dict(interval=0.02, end={"": 0.5}, window=(0.5, 0.5), page=("coarse", "paper", "half"))
 SIX_MM = {"grid_x_cells": {"coarse": "2, 10", "paper": None}, "grid_y_cells": {"coarse": "67, 50", "paper": None}}
+EQUILIBRIUM = {"initial_fill_profile": "equilibrium", "initial_fill_surface": "105 cm",
+               "initial_fill_janssen_width": "8 cm"}
 FINE = dict(interval=0.05, end={"": 1.2}, window=(0.6, 1.2), page=("coarse", "paper"))
 
 
@@ -110,7 +112,8 @@ BUBBLE_CPU = ((0.0, 0.0), (0.5, 60.0))
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of the model: its option, its value (in the option's unit), the step of the differences, and what sets it."""
+    """A parameter of the model: its option, its value (in the option's unit), the step of the differences, and what
+    sets it."""
 
     symbol: str
     option: str
@@ -150,17 +153,16 @@ def table():
         Entry("bin_tau_1e-1", **BIN, options={"friction_tau": "1e-1 s"}, end={"": 6.0}, window=STEADY, cpu=BIN_CPU),
         Entry("bin_critical_state", **BIN, options={"friction_model": "critical_state"}, end={"": 4.5}, window=STEADY,
               cpu=BIN_CPU),
-        Entry("bin_air", **BIN, options={"gas": "incompressible"}, end={"": 2.0}, window=(1.0, 2.0), cpu=scaled(2.8, BIN_CPU)),
+        Entry("bin_air", **BIN, options={"gas": "incompressible"}, end={"": 2.0}, window=(1.0, 2.0),
+              cpu=scaled(2.8, BIN_CPU)),
         Entry("bin_instantaneous", **BIN, options={"friction_model": "instantaneous"}, end={"": 1.0}, window=(0.5, 1.0),
               cpu=scaled(1.3, BIN_CPU)),
-        Entry("bin_equilibrium", **BIN, options={"initial_fill_profile": "equilibrium", "initial_fill_surface": "105 cm",
-                                                 "initial_fill_janssen_width": "8 cm"},
-              end={"": 2.0}, window=(1.0, 2.0), cpu=BIN_CPU),
+        Entry("bin_equilibrium", **BIN, options=EQUILIBRIUM, end={"": 2.0}, window=(1.0, 2.0), cpu=BIN_CPU),
         *(Entry(WIDTHS[width], **BIN, options={"orifice_width": f"{width} cm", "grid_x_cells": cells}, end={"": 2.0},
                 window=(1.0, 2.0), cpu=scaled(1.1, BIN_CPU)) for width, cells in WIDTH_CELLS.items()),
         Entry("fine_air", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
         Entry("fine_vacuum", "bin_discharge_fine/vacuum.yaml", "bin_discharge_fine/paper_vacuum.yaml", **FINE,
-              cpu=scaled(0.6, AIR_CPU)),
+              cpu=scaled(0.35, AIR_CPU)),
         *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=SIX_MM, **BUBBLE,
                 cpu=scaled(factor, BUBBLE_CPU))
           for model, file, factor in (("relaxed", "case", 1.0), ("critical_state", "critical_state", 1.0),
@@ -175,9 +177,14 @@ def table():
 TABLE = table()
 
 
-def page_runs():
-    """(entry, grid) of all that the page shows."""
-    return [(entry, grid) for entry in TABLE.values() for grid in entry.page]
+def page_runs(grid=None):
+    """(entry, grid) of all that the page shows, or of what all.sh --grid runs."""
+    if not grid:
+        return [(entry, one) for entry in TABLE.values() for one in entry.page]
+    finest = GRIDS.index(grid)
+    chosen = {entry: [grid, *(one for one in GRIDS[:finest] if one in entry.page)] for entry in TABLE.values()}
+    return [(entry, one) for entry, grids in chosen.items()
+            for one in (entry.page if entry.name.startswith("parameters/") else grids)]
 
 
 # ---- running ----
@@ -252,7 +259,7 @@ class Runs:
         if self.only_draw:
             found = self.find(entry, grid)
             if not found:
-                raise Problem(f"no finished run {entry.name} on the grid '{grid}' in {self.directory}: leave out --only-draw")
+                raise Problem(f"no run {entry.name} on the grid '{grid}' in {self.directory}: leave out --only-draw")
             return found
         if not self.done(entry, grid):
             with self.alone(entry, grid):
@@ -274,10 +281,13 @@ class Runs:
             self.lock = lock.fileno()
             yield
 
-    def run(self, entry, grid):
-        """Runs to the end, from the last checkpoint if there is one of the same run."""
+    def check_program(self):
         if not self.program or not os.access(self.program, os.X_OK):
             raise Problem(f"no program {self.program}: scripts/build.sh builds it, --program names another")
+
+    def run(self, entry, grid):
+        """Runs to the end, from the last checkpoint if there is one of the same run."""
+        self.check_program()
         place, record = self.place(entry, grid), self.record(entry, grid)
         on_the_way = place / "out" / "checkpoints"
         goes_on = any(on_the_way.glob("*.h5")) and (place / "run.json").exists() and same_run(place, record)
@@ -295,8 +305,9 @@ class Runs:
                             "checkpoint_interval": f"{end / CHECKPOINTS:.3g}"}.items():
             words += [f"-{name}", str(value)]
         words += ["-restart", str(place / "out")] if goes_on else []
-        print(f"  {place.name}: {'goes on from' if goes_on else 'from'} t = {reached_so_far(place / 'out'):.3g} s to {end:g} s, "
-              f"about {clock(self.wall_left(entry, grid))} on {ranks} rank{'s' * (ranks > 1)}", flush=True)
+        begins = f"goes on from t = {reached_so_far(place / 'out'):.3g} s" if goes_on else "from t = 0"
+        expected = f"about {clock(self.wall_left(entry, grid))} on {ranks} rank{'s' * (ranks > 1)}"
+        print(f"  {place.name}: {begins} to {end:g} s, {expected}", flush=True)
         record["open"] = ranks
         write_record(place, record)
         begun, code = time.monotonic(), None
@@ -310,7 +321,8 @@ class Runs:
               f"{record['sessions'][-1]['cpu']:.0f} CPU s", flush=True)
 
     def watch(self, words, place, entry, grid, end):
-        """Waits for the program, saying how far it is, and returns its exit code; when stopped, lets it write a checkpoint."""
+        """Waits for the program, saying how far it is, and returns its exit code; when stopped, lets it write a
+        checkpoint."""
         with open(place / "log", "a") as log:
             process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
                                        start_new_session=True, env=environment(), pass_fds=[self.lock])
@@ -430,17 +442,25 @@ def positive(kind):
     return parse
 
 
+class Parser(argparse.ArgumentParser):
+    """What is wrong is one line."""
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
 def arguments(text, grid="paper", more=()):
     """Parses the options that all scripts here have, and `more`, pairs (name, keywords of add_argument)."""
-    parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grid", choices=GRIDS, default=grid, help=f"default {grid}; half and quarter: of the paper's cells")
+    parser = Parser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--grid", choices=GRIDS, default=grid,
+                        help=f"default {grid or 'those of the page'}; half and quarter: of the paper's cells")
     parser.add_argument("--end-time", type=positive(float), default=float("inf"), metavar="S",
                         help="no run goes beyond this time [s]")
     parser.add_argument("--program", type=Path, default=default_program(), help="default: that of scripts/build.sh")
     parser.add_argument("--ranks", type=positive(int), help="default 2, on the coarse grid 1")
     parser.add_argument("--out", type=Path, default=ROOT / "out" / "paper", help="default out/paper")
     parser.add_argument("--only-draw", action="store_true", help="run nothing, draw what is there")
-    parser.add_argument("--skip-done", action="store_true", help="draw nothing that is newer than its runs and its script")
+    parser.add_argument("--skip-done", action="store_true", help="keep pictures newer than their runs and script")
     for name, keywords in more:
         parser.add_argument(name, **keywords)
     given = parser.parse_args()
@@ -464,16 +484,17 @@ def guarded(main):
 
 
 def main():
-    given = arguments(__doc__, more=[("--left", dict(action="store_true", help="only what is left of the page's runs"))])
+    only = ("--left", dict(action="store_true", help="only what is left of the page's runs"))
+    given = arguments(__doc__, grid=None, more=[only])
     total = cpu = 0.0
-    for entry, grid in page_runs():
+    for entry, grid in page_runs(given.grid):
         runs = given.runs
         total, cpu = total + runs.wall_left(entry, grid), cpu + runs.left(entry, grid)
         if not given.left:
             state = "done" if runs.done(entry, grid) else f"{runs.record(entry, grid)['reached']:.3g} s"
             print(f"{entry.name + '_' + grid:40} to {runs.end_time(entry, grid):4g} s  {state:8} "
                   f"{runs.cost(entry, grid)['cpu']:7.0f} CPU s taken, about {runs.left(entry, grid):6.0f} left")
-    print(f"about {cpu:.0f} CPU s and {clock(total)} left of the page's runs")
+    print(f"about {cpu:.0f} CPU s, {clock(total)} of runs left" if cpu else "no runs left")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Finding (b): which parameters move the plateau rate. d ln W/d ln p by central differences about Table 2, one parameter at a
-time, on the coarse grid, as a bar chart. The mark on a bar is its uncertainty: how far the differences of one and of two steps
-are apart, and what steps in time with a third of the local error change, over the step."""
+"""Finding (b): which parameters move the plateau rate. d ln W/d ln p by central differences about Table 2, one
+parameter at a time, on the coarse grid, as a bar chart. The mark on a bar is its uncertainty: how far the differences
+of one and of two steps are apart, and what steps in time with a third of the local error change, over the step."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -34,19 +34,15 @@ def derivative(parameter, rates, noise):
     return inner, abs(inner - outer) + noise / step, curvature
 
 
-def derivatives(directories):
-    """Parameter -> (slope, uncertainty, curvature)."""
+def derivatives_of(parameter, directories):
+    """The same from the directories of its runs, by name."""
     base = log_rate(directories[BASE])
-    noise = abs(log_rate(directories[TIGHT]) - base)
-    found = {}
-    for parameter in PARAMETERS:
-        rates = {steps: log_rate(directories[parameter.entry(steps).name]) for steps in DIFFERENCES}
-        found[parameter] = derivative(parameter, {**rates, 0: base}, noise)
-    return found
+    rates = {steps: log_rate(directories[parameter.entry(steps).name]) for steps in DIFFERENCES}
+    return derivative(parameter, {**rates, 0: base}, abs(log_rate(directories[TIGHT]) - base))
 
 
 def draw(given, directories):
-    found = derivatives(directories)
+    found = {parameter: derivatives_of(parameter, directories) for parameter in PARAMETERS}
     order = sorted(found, key=lambda parameter: abs(found[parameter][0]))
     figure, axes = plt.subplots(figsize=(6.4, 4.4))
     slopes, doubts = ([found[parameter][k] for parameter in order] for k in (0, 1))

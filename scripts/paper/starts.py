@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Finding (a): the bin from the paper's uniform start at nu = .60 against one in equilibrium with gravity and wall friction
-(Janssen). Rate, depth and what has left the bin; the uniform fill is a compressed spring and bounces before the plateau."""
+"""Finding (a): the bin from the paper's uniform start at nu = .60 against one in equilibrium with gravity and wall
+friction (Janssen). Rate, depth and what has left the bin; the uniform fill is a compressed spring and bounces before
+the plateau."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -12,10 +13,6 @@ BOUNCING = (0.2, 1.0)  # [s], of the swings of the rate
 PLATEAU = (1.0, 2.0)  # [s]
 
 
-def runs_of(directories):
-    return {label: paper_figures.Discharge(directories[name], PLATEAU) for name, label in RUNS.items()}
-
-
 def swing(run, window=BOUNCING):
     """Root mean square of the rate about its mean over the window [g/s]."""
     t = np.linspace(*window, 2001)
@@ -23,7 +20,8 @@ def swing(run, window=BOUNCING):
 
 
 def same_from(runs, within=0.01):
-    """The time from which both rates stay as near to each other as `within` of the first [s]; NaN: not within the runs."""
+    """The time from which both rates stay as near to each other as `within` of the first [s]; NaN: not within the
+    runs."""
     first, second = runs
     t = np.linspace(0, min(run.monitor_time[-1] for run in runs), 4001)
     far = np.flatnonzero(np.abs(1 - np.interp(t, second.monitor_time, second.rate)
@@ -32,7 +30,7 @@ def same_from(runs, within=0.01):
 
 
 def draw(given, directories):
-    runs = runs_of(directories)
+    runs = dict(zip(RUNS.values(), paper_figures.discharges(directories.values(), PLATEAU)))
     end = min(SHOWN, *(run.monitor_time[-1] for run in runs.values()))
     figure, (rates, depths) = plt.subplots(2, 1, sharex=True, figsize=(6.4, 6.4))
     rows = []
@@ -47,8 +45,8 @@ def draw(given, directories):
     depths.set(xlabel="time (s)", ylabel="depth of material (cm)", xlim=(0, end))
     print(f"  rates within 1 % of each other from {same_from(list(runs.values())):.2f} s on")
     for label, run in runs.items():
-        window = PLATEAU if run.reaches(PLATEAU[1]) else run.window
-        print(f"  {label}: mean rate of {window[0]:.2g} to {window[1]:.2g} s {run.mean_rate(window):.1f} g/s"
+        begin, until = run.window
+        print(f"  {label}: mean rate of {begin:.2g} to {until:.2g} s {run.mean_rate():.1f} g/s"
               + (f", swing from .2 to 1 s {swing(run):.2f} g/s" if run.reaches(BOUNCING[1]) else ""))
     return figure, ["start", "time [s]", "rate [g/s]", "depth [cm]"], rows
 
