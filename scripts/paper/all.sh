@@ -4,13 +4,13 @@ set -euo pipefail
 
 usage() {
   cat <<TEXT
-Usage: scripts/paper/all.sh [options of the scripts, such as --grid coarse --end-time 0.3 --out DIR --program SCREE --ranks 1]
+Usage: scripts/paper/all.sh [options of the scripts, such as --grid coarse --end-time 0.3 --out DIR --ranks 1]
 
-Figures 1 to 13, starts, parameters, convergence and page_numbers (see scripts/paper), one after the other, into out/paper.
-Runs that are there are reused, pictures newer than their runs are kept, a run that was interrupted goes on from its last
-checkpoint: start it again after Ctrl-C. Runs go one at a time on 2 ranks, on the coarse grid on one.
---grid holds for the figures and starts and is the finest of convergence; parameters is always on the coarse grid.
-scripts/paper/paper_runs.py lists the runs and what they are thought to take.
+Figures 1 to 13, flutter, starts, parameters, convergence and page_numbers (see scripts/paper), one after the other,
+into out/paper. Runs that are there are reused, pictures newer than their runs are kept, a run that was interrupted
+goes on from its last checkpoint: start it again after Ctrl-C. Runs go one at a time on 2 ranks, on the coarse grid
+on one. --grid holds for the figures, flutter and starts and is the finest of convergence; parameters is always on the
+coarse grid. scripts/paper/paper_runs.py lists the runs and what they are thought to take.
 TEXT
 }
 
@@ -26,7 +26,7 @@ for ((i = 0; i < $#; ++i)); do
 done
 [ -x "$program" ] || { echo "all.sh: no program '$program': scripts/build.sh builds it, --program names another" >&2; exit 1; }
 
-names=(figure_{01..13} starts parameters convergence page_numbers)
+names=(figure_{01..13} flutter starts parameters convergence page_numbers)
 failed=()
 running=
 stop() {

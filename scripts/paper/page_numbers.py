@@ -29,6 +29,16 @@ TITLES = {"figures": "Figures", "claims": "Claims of the text", "findings": "Fin
           "convergence": "Grids"}
 
 
+def table(header, rows):
+    """A table in Markdown."""
+    lines = [header, ["---"] * len(header), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def labelled(quantity):
+    return quantity.what + (f" [{quantity.unit}]" if quantity.unit else "")
+
+
 class Numbers:
     """Values of all quantities as text; "ours" are those on `grid`."""
 
@@ -61,18 +71,22 @@ class Numbers:
 
     def row(self, quantity):
         grid = self.own_grid(quantity)
-        unit = f" [{quantity.unit}]" if quantity.unit else ""
         cpu = self.values.cpu(quantity, grid) if self.values.value(quantity, grid) is not None else math.nan
         half = quantity.text(self.values.value(quantity, "half"))
-        return [quantity.what + unit, quantity.paper, self.value(quantity, grid), half, self.limit(quantity),
+        return [labelled(quantity), quantity.paper, self.value(quantity, grid), half, self.limit(quantity),
                 self.difference(quantity), f"{cpu:.0f}" if math.isfinite(cpu) else ""]
 
     def section(self, name):
         """The table of a section, such as figure_04."""
         rows = [self.row(quantity) for quantity in self.by_key.values() if quantity.section == name]
         shown = [column for column in range(len(HEAD)) if column < 3 or any(row[column] for row in rows)]
-        lines = [[HEAD[column] for column in shown], ["---"] * len(shown), *([row[k] for k in shown] for row in rows)]
-        return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+        return table([HEAD[column] for column in shown], [[row[column] for column in shown] for row in rows])
+
+    def grids(self, name):
+        """The table of a section on all grids."""
+        rows = [[labelled(quantity), *(self.value(quantity, grid) for grid in paper_runs.GRIDS), self.limit(quantity)]
+                for quantity in self.by_key.values() if quantity.section == name]
+        return table(["what", *paper_runs.GRIDS, "extrapolated"], rows)
 
     def cost(self, name):
         """The time of the runs of a section, as far as they are there."""
@@ -89,10 +103,11 @@ class Numbers:
     def named(self, text):
         """What {{text}} on the page stands for."""
         kind, _, name = text.partition(":")
-        if kind in ("table", "cost"):
+        sections = {"table": self.section, "grids": self.grids, "cost": self.cost}
+        if kind in sections:
             if not any(quantity.section == name for quantity in self.by_key.values()):
                 raise paper_runs.Problem(f"{PAGE.name}: no section {name} for {{{{{text}}}}}")
-            return self.section(name) if kind == "table" else self.cost(name)
+            return sections[kind](name)
         if kind not in self.by_key:
             raise paper_runs.Problem(f"{PAGE.name}: no quantity {kind} for {{{{{text}}}}}")
         quantity = self.by_key[kind]
@@ -117,7 +132,7 @@ class Numbers:
                 lines += ["", f"### {name}: {self.cost(name)}", "", self.section(name)]
         return "\n".join(lines) + "\n"
 
-    def table(self):
+    def data(self):
         """Header and rows of numbers.csv."""
         header = ["key", "what", "unit", "paper's", *paper_runs.GRIDS, "extrapolated", "uncertainty", "order",
                   "order seen", "cpu [s]"]
@@ -158,7 +173,7 @@ def main():
     values.keep()
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "numbers.md").write_text(text)
-    paper_figures.write_csv(given.out / "numbers.csv", *numbers.table())
+    paper_figures.write_csv(given.out / "numbers.csv", *numbers.data())
     print(f"  {given.out / 'numbers'}.md, .csv")
     if given.page:
         page, missing = filled(numbers, PAGE.read_text())

@@ -378,9 +378,9 @@ def reached_so_far(out):
 
 def count_lost_session(place, record):
     """A session that was killed with its script left its seconds in monitor.csv only."""
-    if record.pop("open", None):
+    ranks = record.pop("open", None)
+    if ranks:
         cpu = last_row(place / "out", "cpu_seconds")[0]
-        ranks = ranks_of(place.name.rsplit("_", 1)[-1])
         record["sessions"].append({"cpu": cpu, "wall": cpu / ranks, "ranks": ranks})
 
 
