@@ -24,7 +24,10 @@ for ((i = 0; i < $#; ++i)); do
     --program=*) program=${arguments[i]#*=} ;;
   esac
 done
-[ -x "$program" ] || { echo "all.sh: no program '$program': scripts/build.sh builds it, --program names another" >&2; exit 1; }
+if [ ! -x "$program" ]; then
+  echo "all.sh: no program '$program': scripts/build.sh builds it, --program names another" >&2
+  exit 1
+fi
 
 names=(figure_{01..13} flutter starts parameters convergence page_numbers)
 failed=()

@@ -30,7 +30,7 @@ def draw(given, directories):
     slope = (1 - yield_locus.SIN_PHI) / (1 + yield_locus.SIN_PHI)
     axes.plot([0, reach], [0, slope * reach], "k:", linewidth=1.2, label="critical states")
     axes.plot([0, slope * reach], [0, reach], "k:", linewidth=1.2)
-    axes.annotate("O", (0, 0), xytext=(-14, -4), textcoords="offset points")
+    axes.annotate("O", (0, 0), xytext=(6, 6), textcoords="offset points")
     axes.set(xlabel=r"$\sigma_1$ (10$^3$ dyn/cm$^2$)", ylabel=r"$\sigma_2$ (10$^3$ dyn/cm$^2$)", xlim=(0, reach),
              ylim=(0, reach), aspect="equal")
     axes.legend(loc="upper right", fontsize=10)

@@ -45,7 +45,8 @@ def draw(given, directories):
         y, part = alternating(directories[name])
         axes.semilogy(y, part, label=label, **line)
         rows += paper_figures.rows_of(label, y, part)
-    axes.set(xlabel="height over the orifice plane (cm)", ylabel="alternating part of $v_y$ over its mean", xlim=HEIGHTS)
+    axes.set(xlabel="height over the orifice plane (cm)", ylabel="alternating part of $v_y$ over its mean",
+             xlim=HEIGHTS)
     axes.legend(loc="upper right")
     return figure, ["run", "y [cm]", "alternating part of v_y over its mean"], rows
 

@@ -293,7 +293,7 @@ def of_claims():
           2.0, profiles_apart(PLATEAU), ".4f", False),
         q("fine.rate", "100 µm without air against 1 mm", "%", "almost the same", ("bin", "fine_vacuum"), 1.2,
           rates_apart(FINE)),
-        q("flutter.relaxed", "v_y alternating from cell to cell, 10 to 40 cm up, over its mean", "", "none", BIN, 1.0,
+        q("flutter.relaxed", "v_y alternating from cell to cell in the plug, over its mean, relaxed", "", "none", BIN, 1.0,
           flutter.short_waves, ".1e", False),
         q("flutter.instantaneous", "the same, instantaneous", "", "persistent", ("bin_instantaneous",), 1.0,
           flutter.short_waves, ".1e", False),
