@@ -2,13 +2,13 @@
 """The table of all numbers: the paper's, ours on its grid, extrapolated to fine cells, and what they cost. Runs
 nothing: what is not there says so.
 
-    scripts/paper/page_numbers.py             # OUT/numbers.md, OUT/numbers.csv scripts/paper/page_numbers.py --page
-    # and the page cases/README.md from scripts/paper/page.md, pictures into cases/paper/
+    scripts/paper/page_numbers.py          # OUT/numbers.md, OUT/numbers.csv
+    scripts/paper/page_numbers.py --page   # and cases/README.md from scripts/paper/page.md, pictures into cases/paper/
 
 In page.md {{figure_04.plateau}} stands for a number on the paper's grid, {{figure_04.plateau:half}} for one on another
 grid, {{figure_04.plateau:limit}} for the extrapolated one with its uncertainty, {{figure_04.plateau:order}} for its
-order, {{cost:figure_04}} for the time of its runs, and {{table:figure_04}} for the table of all numbers of a
-section."""
+order, {{cost:figure_04}} for the time of the runs of a section, {{cost:all}} for that of all runs,
+{{table:figure_04}} for the table of all numbers of a section, {{grids:convergence}} for that table on all grids."""
 import math
 import re
 import shutil
@@ -89,23 +89,26 @@ class Numbers:
         return table(["what", *paper_runs.GRIDS, "extrapolated"], rows)
 
     def cost(self, name):
-        """The time of the runs of a section, as far as they are there."""
-        needed = {(run, self.own_grid(quantity)) for quantity in self.by_key.values() if quantity.section == name
-                  for run in quantity.runs}
-        costs = [self.values.runs.cost(paper_runs.TABLE[run], grid) for run, grid in needed]
+        """The time of the runs of a section, or of all runs of the page, as far as they are there."""
+        if name == "all":
+            needed = paper_runs.page_runs()
+        else:
+            needed = {(paper_runs.TABLE[run], self.own_grid(quantity)) for quantity in self.by_key.values()
+                      if quantity.section == name for run in quantity.runs}
+        costs = [self.values.runs.cost(entry, grid) for entry, grid in needed]
         costs = [cost for cost in costs if cost["cpu"]]
         if not costs:
             return NOT_RUN
         text = f"{sum(cost['cpu'] for cost in costs):.0f} CPU s, {clock(sum(cost['wall'] for cost in costs))}"
         missing = len(needed) - len(costs)
-        return f"{text}; {missing} of {len(needed)} runs not run" if missing else text
+        return f"{text}; {missing} of {len(needed)} runs {NOT_RUN}" if missing else text
 
     def named(self, text):
         """What {{text}} on the page stands for."""
         kind, _, name = text.partition(":")
         sections = {"table": self.section, "grids": self.grids, "cost": self.cost}
         if kind in sections:
-            if not any(quantity.section == name for quantity in self.by_key.values()):
+            if text != "cost:all" and not any(quantity.section == name for quantity in self.by_key.values()):
                 raise paper_runs.Problem(f"{PAGE.name}: no section {name} for {{{{{text}}}}}")
             return sections[kind](name)
         if kind not in self.by_key:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Finding (a): the bin from the paper's uniform start at nu = .60 against one in equilibrium with gravity and wall
-friction (Janssen). Rate, depth and what has left the bin; the uniform fill is a compressed spring and bounces before
+friction (Janssen). Rate and depth against time; the uniform fill is a compressed spring and bounces before
 the plateau."""
 import matplotlib.pyplot as plt
 import numpy as np
