@@ -21,7 +21,8 @@ ABOVE, BELOW = 20.0, 5.0  # what bottom_map and centreline show around the floor
 class Run:
     """One output directory, in the units of the paper (cgs), heights measured from the floor of the bin."""
 
-    def __init__(self, directory):
+    def __init__(self, directory, fields=None):
+        """fields: those of a time that is not the last."""
         self.directory = Path(directory)
         self.label = self.directory.name
         case = scree_output.case(directory)
@@ -34,7 +35,7 @@ class Run:
         self.rate = 1e3 * monitor["flux_orifice" if "flux_orifice" in monitor else "discharge_rate"]
         self.depth = 100 * (monitor["bed_height"] - self.floor) if "bed_height" in monitor else None
 
-        fields = scree_output.last_fields(directory)
+        fields = fields or scree_output.last_fields(directory)
         self.time = fields["time"]
         self.x_faces = 100 * fields["x_faces"]
         self.y_faces = 100 * (fields["y_faces"] - self.floor)
@@ -122,10 +123,10 @@ def arrow_cells(run, cells, nu):
     return chosen & (nu > 0.02)
 
 
-def draw_bottom_map(run):
+def draw_bottom_map(run, colour_map="YlOrBr"):
     faces, cells, nu, vx, vy = run.full_width()
     width = faces[-1]
-    sand = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0, 0.72, 256)))
+    sand = ListedColormap(plt.get_cmap(colour_map)(np.linspace(0, 0.72, 256)))
     figure, axes = plt.subplots(figsize=(4.6, 8.4))
     colours = axes.pcolormesh(faces, run.y_faces, np.ma.masked_less(nu, 0.005), cmap=sand, norm=PowerNorm(2, 0, 0.65))
     bar = figure.colorbar(colours, ax=axes, shrink=0.6, aspect=28, ticks=[0, 0.2, 0.3, 0.4, 0.5, 0.6])

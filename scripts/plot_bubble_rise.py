@@ -81,13 +81,14 @@ def bubble(fields):
 
 
 class Run:
-    def __init__(self, directory):
+    def __init__(self, directory, rows=True):
+        """rows: with the bubble at the time of each field file, which takes a second each."""
         self.directory = Path(directory)
         self.label = self.directory.name
         self.last = scree_output.last_fields(directory)
         self.rows = []
         monitor = scree_output.monitor(directory)
-        for path in scree_output.field_files(directory):
+        for path in scree_output.field_files(directory) if rows else ():
             fields = scree_output.fields(path, ["x_faces", "y_faces", "solids_fraction"])
             height = 100 * np.interp(fields["time"], scree_output.time_of(monitor), monitor["bed_height"])
             self.rows.append(dict(time=fields["time"], **bubble(fields), bed_height=height))
@@ -96,11 +97,11 @@ class Run:
         return np.array([row[name] for row in self.rows])
 
 
-def draw_bubbles(runs):
+def draw_bubbles(runs, colour_map="YlOrBr"):
     figure, panels = plt.subplots(1, len(runs), figsize=(3.1 * len(runs), 7.6), sharey=True, squeeze=False)
     for run, axes in zip(runs, panels[0]):
         x, y, nu = full_width(run.last)
-        image = axes.pcolormesh(x, y, nu, cmap="YlOrBr", vmin=0, vmax=0.65, shading="nearest")
+        image = axes.pcolormesh(x, y, nu, cmap=colour_map, vmin=0, vmax=0.65, shading="nearest")
         axes.contour(x, y, nu, [LEVEL], colors="#16324f", linewidths=1.4)
         axes.set(xlabel="x (cm)", ylim=(0, 55), aspect="equal")
         axes.set_title(f"{run.label}\nt = {run.last['time']:.3g} s", loc="left", fontsize=11)

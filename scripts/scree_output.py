@@ -99,11 +99,14 @@ def unquote(text):
 
 
 def split(text):
-    """Splits at the commas outside of brackets."""
-    parts, depth = [""], 0
+    """Splits at the commas outside of brackets and quotes."""
+    parts, depth, quote = [""], 0, ""
     for letter in text:
-        depth += (letter in "[{") - (letter in "]}")
-        if letter == "," and depth == 0:
+        if quote or letter in "'\"":
+            quote = "" if letter == quote else quote or letter
+        else:
+            depth += (letter in "[{") - (letter in "]}")
+        if letter == "," and depth == 0 and not quote:
             parts.append("")
         else:
             parts[-1] += letter
