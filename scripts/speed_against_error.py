@@ -197,8 +197,8 @@ def options(scene, setting, end_time):
         "granular_temperature": setting.granular_temperature, "gas": setting.gas,
         "end_time": end_time, "output_interval": scene.field_interval, "checkpoint_interval": 0,
     }
-    if grid.x_ratio:
-        result["grid_x_ratio"], result["grid_y_ratio"] = (", ".join(map(str, ratio)) for ratio in (grid.x_ratio, grid.y_ratio))
+    ratios = grid.x_ratio or (1,) * len(x), grid.y_ratio or (1,) * len(grid.y)
+    result["grid_x_ratio"], result["grid_y_ratio"] = (", ".join(map(str, ratio)) for ratio in ratios)
     if setting.granular_temperature == "algebraic":
         result["friction_strain_rate_floor"] = STRAIN_RATE_FLOOR
     if setting.solver:

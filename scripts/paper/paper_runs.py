@@ -93,7 +93,7 @@ STEADY = (1.5, 4.5)  # [s], between which the paper measures the depth
 WIDTHS = {"1.4": "bin", "1.6": "width_1.6", "1.8": "width_1.8", "2.0": "width_2.0"}  # of the orifice [cm]
 WIDTH_CELLS = {"1.6": {"coarse": "4, 16", "paper": "8, 32"}, "1.8": {"coarse": "5, 15", "paper": "9, 31"},
                "2.0": {"coarse": "5, 15", "paper": "10, 30"}}
-BIN = dict(coarse="bin_discharge/case.yaml", paper="bin_discharge/paper.yaml", interval=0.1)
+BIN = dict(coarse="bin_discharge/coarse.yaml", paper="bin_discharge/paper.yaml", interval=0.1)
 BUBBLE = dict(interval=0.02, end={"": 0.5}, window=(0.5, 0.5), page=("coarse", "paper", "half"))
 SIX_MM = {"grid_x_cells": {"coarse": "2, 10", "paper": None}, "grid_y_cells": {"coarse": "67, 50", "paper": None}}
 EQUILIBRIUM = {"initial_fill_profile": "equilibrium", "initial_fill_surface": "105 cm",
@@ -160,9 +160,9 @@ def table():
         Entry("bin_equilibrium", **BIN, options=EQUILIBRIUM, end={"": 2.0}, window=(1.0, 2.0), cpu=BIN_CPU),
         *(Entry(WIDTHS[width], **BIN, options={"orifice_width": f"{width} cm", "grid_x_cells": cells}, end={"": 2.0},
                 window=(1.0, 2.0), cpu=scaled(1.1, BIN_CPU)) for width, cells in WIDTH_CELLS.items()),
-        Entry("fine_air", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
-        Entry("fine_vacuum", "bin_discharge_fine/vacuum.yaml", "bin_discharge_fine/paper_vacuum.yaml", **FINE,
-              cpu=scaled(0.35, AIR_CPU)),
+        Entry("fine_air", "bin_discharge_fine/coarse.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
+        Entry("fine_vacuum", "bin_discharge_fine/coarse.yaml", "bin_discharge_fine/paper.yaml",
+              options={"gas": "none"}, **FINE, cpu=scaled(0.35, AIR_CPU)),
         *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=SIX_MM, **BUBBLE,
                 cpu=scaled(factor, BUBBLE_CPU))
           for model, file, factor in (("relaxed", "case", 1.0), ("critical_state", "critical_state", 1.0),

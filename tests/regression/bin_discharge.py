@@ -14,7 +14,7 @@ TOLERANCES = {"flux_orifice": 0.01, "mass": 1e-3, "bed_height": 2e-3, "solids_fr
               "frictional_pressure_ratio_min": 0.02}
 
 program, checks = Program(), Checks("cases/bin_discharge, coarse, 0.2 s")
-run = program.run("../../cases/bin_discharge/case.yaml", "coarse", COARSE)
+run = program.run("../../cases/bin_discharge/coarse.yaml", "coarse", COARSE)
 found, monitor = run.summary["quantities"], run.monitor
 file = program.here / "bin_discharge.json"
 if program.update:

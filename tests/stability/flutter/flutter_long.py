@@ -6,7 +6,7 @@ import numpy as np
 from scree_program import Checks, Program, output
 from waves import divergence, lagged_factor, rows, roughness
 
-CASE, START, END, STEP = "../../../cases/bin_discharge/case.yaml", 0.3, 0.308, 1e-4
+CASE, START, END, STEP = "../../../cases/bin_discharge/coarse.yaml", 0.3, 0.308, 1e-4
 PLUG = 0.1, 0.4  # heights [m]; the floor is at .05
 FIXED = {"time_step_adaptive": "no", "time_step_initial": STEP, "end_time": END}
 LAGGED = {**FIXED, "friction_lagged": "yes"}
