@@ -91,11 +91,11 @@ BIN_GRIDS = {"4 mm": Grid((2, 8), (7, 125)), "2 mm": Grid((4, 16), (13, 250)), "
 
 
 def graded(refine):
-    """Fine at the lip of the orifice: 1.75 mm x 4 mm there over `refine`, six times as wide and high far from it."""
-    return Grid((4, 6), (8, 90), refine, (1, 6), (0.4, 6))
+    """Fine at the lip of the orifice, where the errors of the rate come from; named by the width of its cells."""
+    return Grid((3, 5), (7, 80), refine, (1 / 6, 25), (0.08, 30))
 
 
-GRADED_GRIDS = {"2 mm graded": graded(1), "1 mm graded": graded(2), "0.5 mm graded": graded(4)}
+GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4)}
 BIN = dict(
     usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), box=(4, 105), read=scree_quantities.bin_quantities,
     full_width={
@@ -107,16 +107,16 @@ BIN = dict(
 )
 SCENES = {
     "bin_discharge": Scene(
-        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS, "0.25 mm graded": graded(8)},
-        product_grids=("4 mm", "2 mm", "2 mm graded", "1 mm graded"),
-        costly_grids=("1 mm", "0.5 mm graded", "0.25 mm graded"), costly_accuracies=(1e-2,),
+        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS, "0.1 mm graded": graded(8)},
+        product_grids=("4 mm", "2 mm", "0.8 mm graded", "0.4 mm graded"),
+        costly_grids=("1 mm", "0.2 mm graded", "0.1 mm graded"), costly_accuracies=(1e-2,),
         solver_grids=("2 mm", "1 mm"), preset="ilu", models=(*SIMPLER_MODELS, {"gas": "darcy"}, {"gas": "incompressible"}), gas="none",
         window=(0.3, 0.5), field_interval=0.02, cpu_seconds=11, cost_exponent=1.15,
     ),
     "bin_discharge_fine": Scene(
         **BIN, grids={"4 mm": BIN_GRIDS["4 mm"], "2 mm": BIN_GRIDS["2 mm"], **GRADED_GRIDS},
-        product_grids=("4 mm", "2 mm", "2 mm graded", "1 mm graded"),
-        costly_grids=("0.5 mm graded",), costly_accuracies=(1e-2,),
+        product_grids=("4 mm", "2 mm", "0.8 mm graded", "0.4 mm graded"),
+        costly_grids=("0.2 mm graded",), costly_accuracies=(1e-2,),
         solver_grids=("2 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "none"}, {"gas": "darcy"}), gas="incompressible",
         window=(0.6, 0.8), field_interval=0.02, cpu_seconds=50, cost_exponent=1.5,
     ),
@@ -198,7 +198,7 @@ def options(scene, setting, end_time):
         "end_time": end_time, "output_interval": scene.field_interval, "checkpoint_interval": 0,
     }
     ratios = grid.x_ratio or (1,) * len(x), grid.y_ratio or (1,) * len(grid.y)
-    result["grid_x_ratio"], result["grid_y_ratio"] = (", ".join(map(str, ratio)) for ratio in ratios)
+    result["grid_x_ratio"], result["grid_y_ratio"] = (", ".join(f"{one:.4g}" for one in ratio) for ratio in ratios)
     if setting.granular_temperature == "algebraic":
         result["friction_strain_rate_floor"] = STRAIN_RATE_FLOOR
     if setting.solver:
