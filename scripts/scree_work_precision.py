@@ -63,7 +63,7 @@ class Row:
     by."""
 
     setting: Setting
-    cell_size: float  # root of the mean cell area [cm]
+    cell_size: float  # root of the area of the smallest cell [cm]
     cost: dict
     values: dict
     family: str = "uniform"  # grids that refine one another

@@ -10,6 +10,7 @@ remove its directory to try it again. With --budget 0 nothing is run, and what i
 import argparse
 import itertools
 import json
+import math
 import os
 import shutil
 import signal
@@ -52,9 +53,28 @@ class Grid:
     def family(self):
         return "graded" if self.x_ratio else "uniform"
 
+    def smallest_cell(self, blocks):
+        """Root of the area of the smallest cell; blocks: lengths of the blocks along x and y."""
+        smallest = [min(itertools.starmap(first_or_last, zip(lengths, cells, ratios or (1,) * len(cells))))
+                    for lengths, cells, ratios in zip(blocks, self.all_cells, (self.x_ratio, self.y_ratio))]
+        return math.prod(smallest) ** 0.5
+
+    @property
+    def all_cells(self):
+        return [[self.refine * count for count in cells] for cells in (self.x, self.y)]
+
     @property
     def cells(self):
         return sum(self.x) * sum(self.y) * self.refine**2
+
+
+def first_or_last(length, count, ratio):
+    """The smaller of the first and the last of `count` cells in geometric progression, last over first being `ratio`."""
+    if ratio == 1 or count == 1:
+        return length / count
+    growth = ratio ** (1 / (count - 1))
+    first = length * (growth - 1) / (growth**count - 1)
+    return min(first, ratio * first)
 
 
 @dataclass(frozen=True)
@@ -71,7 +91,7 @@ class Scene:
     models: tuple  # one dict of settings a variant
     longest_steps: tuple  # [s]
     gas: str  # of the case
-    box: tuple  # half the domain [cm]
+    blocks: tuple  # of cells in half the domain: lengths along x and y [cm]
     full_width: dict  # options, beside the cells along x
     read: object
     window: tuple  # [s] of the means; runs end with it
@@ -97,7 +117,7 @@ def graded(refine):
 
 GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4)}
 BIN = dict(
-    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), box=(4, 105), read=scree_quantities.bin_quantities,
+    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), blocks=((0.7, 3.3), (5, 100)), read=scree_quantities.bin_quantities,
     full_width={
         "grid_x_edges": "-4 cm, -0.7 cm, 0.7 cm, 4 cm", "boundary_centreline_kind": "wall_johnson_jackson",
         "boundary_centreline_patch": "5 cm, 105 cm", "boundary_left_side": "x_lower", "boundary_left_kind": "open",
@@ -125,7 +145,7 @@ SCENES = {
                "1.5 mm": Grid((3, 20), (133, 100), 2)},
         usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(1e-2,),
         solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(1e-3, 2e-3, 5e-3),
-        gas="incompressible", box=(7, 70), read=scree_quantities.bubble_quantities,
+        gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,
         full_width={"grid_x_edges": "-7 cm, -1 cm, 1 cm, 7 cm", "boundary_centreline_kind": "wall_free_slip",
                     "boundary_slit_patch": "-1 cm, 1 cm", "initial_bed_box": "-7 cm, 7 cm, 0, 40 cm", "output_mirror": "1"},
         window=(0.4, 0.5), field_interval=0.0, cpu_seconds=60, cost_exponent=1.4,
@@ -291,7 +311,7 @@ class Runs:
                 directory = self.directory / setting.label(self.scene.usual) / "out"
                 grid = self.scene.grids[setting.grid]
                 found.append(work_precision.Row(
-                    setting, (self.scene.box[0] * self.scene.box[1] / grid.cells) ** 0.5,
+                    setting, grid.smallest_cell(self.scene.blocks),
                     scree_quantities.cost(directory, self.window),
                     scree_quantities.quantities(self.scene.read, directory, self.window), grid.family))
         return found

@@ -160,8 +160,8 @@ def table():
         Entry("bin_equilibrium", **BIN, options=EQUILIBRIUM, end={"": 2.0}, window=(1.0, 2.0), cpu=BIN_CPU),
         *(Entry(WIDTHS[width], **BIN, options={"orifice_width": f"{width} cm", "grid_x_cells": cells}, end={"": 2.0},
                 window=(1.0, 2.0), cpu=scaled(1.1, BIN_CPU)) for width, cells in WIDTH_CELLS.items()),
-        Entry("fine_air", "bin_discharge_fine/coarse.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
-        Entry("fine_vacuum", "bin_discharge_fine/coarse.yaml", "bin_discharge_fine/paper.yaml",
+        Entry("fine_air", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
+        Entry("fine_vacuum", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml",
               options={"gas": "none"}, **FINE, cpu=scaled(0.35, AIR_CPU)),
         *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=SIX_MM, **BUBBLE,
                 cpu=scaled(factor, BUBBLE_CPU))

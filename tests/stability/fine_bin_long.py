@@ -7,7 +7,7 @@ from scree_program import Checks, Program
 from fine_bin_sides import CLOSED
 
 END = float(os.environ.get("SCREE_FINE_END", 5))
-CASE = "../../cases/bin_discharge_fine/coarse.yaml"
+CASE = "../../cases/bin_discharge_fine/case.yaml"
 program, checks = Program(), Checks("100 um bin with air, open and closed at the bottom, long", "H10")
 for name, options in (("open", {"end_time": END}), ("closed", {**CLOSED, "end_time": 0.3 * END})):
     print(f"{name} ...", flush=True)
