@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from scree_program import Checks  # finds scripts/ too
 import scree_work_precision as work_precision
+import speed_against_error
 from scree_work_precision import Row, Setting
 
 EXACT, PROFILE = 100.0, 0.6 - 0.1 * np.exp(-np.linspace(0, 3, 31))
@@ -46,6 +47,13 @@ checks.equal("order 3 is clipped", work_precision.observed_order(sizes, [np.arra
 swing = [np.array([value]) for value in (1.0, 2.0, 1.0)]
 checks.equal("a value that swings has no order", work_precision.observed_order(sizes, swing)[1], False)
 
+# Two families of grids: the one with the smallest cells is extrapolated, alone.
+graded = [Row(Setting(f"{size} graded"), size, {"cpu_s": 1.0}, {"rate": np.array([90 * (1 + 0.3 * size)]),
+                                                               "profile": PROFILE}, "graded")
+          for size in (0.08, 0.04, 0.02)]
+reference = work_precision.add_errors([row(grid) for grid in SIZES] + graded, usual)["rate"]
+checks.close("families: that of the smallest cells", float(reference.value[0]), 90, relative=1e-6)
+
 # Irregular orders: the mean of the schemes.
 swinging = [row(grid, advection) for advection in ORDERS for grid in SIZES]
 for one, value in zip(swinging, (100, 104, 101, 102, 97, 99)):
@@ -53,6 +61,11 @@ for one, value in zip(swinging, (100, 104, 101, 102, 97, 99)):
 reference = work_precision.add_errors(swinging, usual)["rate"]
 checks.close("irregular: mean of the extrapolations 98 and 101", float(reference.value[0]), 99.5, absolute=1e-9)
 checks.close("irregular: half of their distance", reference.doubt * 99.5, 1.5, absolute=1e-9)
+
+# Smallest cells.
+checks.close("smallest cell: equal ones", speed_against_error.first_or_last(6, 3, 1), 2, absolute=1e-12)
+checks.close("smallest cell: 1, 2, 4", speed_against_error.first_or_last(7, 3, 4), 1, absolute=1e-12)
+checks.close("smallest cell: 4, 2, 1", speed_against_error.first_or_last(7, 3, 0.25), 1, absolute=1e-12)
 
 # Time, models.
 rows += [row("2 mm", accuracy=1e-1, time_error=0.03), row("2 mm", accuracy=1e-3, time_error=-0.001, cpu_s=90.0),
