@@ -149,6 +149,9 @@ PetscErrorCode DiscreteProblem::update_conditions(double time) {
   barriers_ = std::make_unique<Barriers>(*lattice_, setup_.segments, setup_.plates, time);
   gas_projection_.reset();
   model_ = make_model({*lattice_, *barriers_, setup_.model, setup_.solids, setup_.scales});
+  stored_with_nu_.clear();
+  for (const Field& field : model_->fields())
+    if (field.symbol == "v" || field.symbol == "T" || field.symbol == "chi") stored_with_nu_.push_back(field);
   model_->set_time(time);
   if (model_->gas_velocity(0) >= 0) {
     gas_projection_ = std::make_unique<GasProjection>(*lattice_, *barriers_, *model_);
@@ -263,28 +266,40 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::continuity_correction(Vec state, Vec residual, double* change, double* least) const {
+PetscErrorCode DiscreteProblem::remainder(Vec state, Vec residual, Remainder* remainder) const {
   PetscFunctionBeginUser;
+  constexpr double dilute = 0.1, least_storage = 1e-2;  // emptier places count as if they stored this
   const Lattice& grid = *lattice_;
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(dm_));
-  const double *x, *f;
-  PetscCall(VecGetArrayRead(state, &x));
+  const int unknowns = model_->unknowns();
+  GhostedArray u;
+  const double* f;
+  PetscCall(u.open(dm_, state));
   PetscCall(VecGetArrayRead(residual, &f));
-  double sums[2]{0, 0};  // of squares, of cells
-  *least = PETSC_INFINITY;
+  double sums[2]{0, 0};                // of squares, of cells
+  double most[2]{-PETSC_INFINITY, 0};  // of -nu, of changes of single unknowns
+  const auto nu_at = [&](const Index& I) { return u.data()[grid.ghosted(I) * unknowns + Model::solids_fraction]; };
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
     if (!model_->is_balance(Model::solids_fraction, I)) return;
-    const int nu = grid.owned(I) * model_->unknowns() + Model::solids_fraction;
-    const double correction = f[nu] / model_->continuity_scale() / last_shift_;
+    const double* rows = f + grid.owned(I) * unknowns;
+    const double per_change = model_->continuity_scale() * last_shift_, nu = nu_at(I);
+    const double correction = rows[Model::solids_fraction] / per_change;
     sums[0] += correction * correction;
     sums[1] += 1;
-    *least = std::min(*least, x[nu] - correction);
+    most[0] = std::max(most[0], correction - nu);
+    for (const Field& field : stored_with_nu_) {
+      if (!model_->is_balance(field.component, I)) continue;
+      const double stored = field.face_axis < 0 ? nu : 0.5 * (nu + nu_at(I - unit(field.face_axis)));
+      if (stored < dilute)
+        most[1] = std::max(most[1], std::abs(rows[field.component]) / (per_change * std::max(stored, least_storage)));
+    }
   });
   PetscCall(VecRestoreArrayRead(residual, &f));
-  PetscCall(VecRestoreArrayRead(state, &x));
+  PetscCall(u.close());
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, least, 1, MPI_DOUBLE, MPI_MIN, comm));
-  *change = sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;  // particles at rest have no balance
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, comm));
+  // Particles at rest have no balance.
+  *remainder = {sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0, -most[0], most[1]};
   PetscFunctionReturn(0);
 }
 

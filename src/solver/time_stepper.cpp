@@ -260,9 +260,9 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
   auto& self = *static_cast<TimeStepper*>(stepper);
   if (*reason > 0 && iteration > 0) {
-    bool converged;
-    PetscCall(self.continuity_converged(snes, &converged));
-    if (!converged) *reason = SNES_CONVERGED_ITERATING;
+    bool small;
+    PetscCall(self.remainder_is_small(snes, &small));
+    if (!small) *reason = SNES_CONVERGED_ITERATING;
   }
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
@@ -274,16 +274,19 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   PetscFunctionReturn(0);
 }
 
-/// Whether correct_continuity would change nu by no more than Newton's tolerance, which in long steps takes more than a
-/// small residual, and leave it where it can be: nu below minus the floor of voids is a negative inertia.
-PetscErrorCode TimeStepper::continuity_converged(SNES snes, bool* converged) const {
+/// Whether what is left is small beyond the mean: where particles are few, single cells far off make energy, and keep a
+/// T from which there is no way back. And whether correct_continuity would change nu by no more than Newton's
+/// tolerance, which in long steps takes more than a small residual, and leave it where it can be: nu below minus the
+/// floor of voids is a negative inertia.
+PetscErrorCode TimeStepper::remainder_is_small(SNES snes, bool* small) const {
   PetscFunctionBeginUser;
   Vec state, residual;
-  double change, least;
+  Remainder left;
   PetscCall(SNESGetSolution(snes, &state));
   PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
-  PetscCall(problem_.continuity_correction(state, residual, &change, &least));
-  *converged = change <= newton_residual() && least >= -0.5 * problem_.setup().model.void_fraction_floor;
+  PetscCall(problem_.remainder(state, residual, &left));
+  *small = left.dilute <= NewtonTolerance::dilute(control_.accuracy) && left.nu_change <= newton_residual() &&
+           left.least_nu >= -0.5 * problem_.setup().model.void_fraction_floor;
   PetscFunctionReturn(0);
 }
 

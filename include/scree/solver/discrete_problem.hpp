@@ -27,6 +27,13 @@ struct VolumeImbalance {
   double solids = 0, gas = 0;
 };
 
+/// What a residual leaves undone, beside its norm. All in units of the scales.
+struct Remainder {
+  double nu_change;  ///< root mean square of what DiscreteProblem::correct_continuity would do to nu
+  double least_nu;   ///< nu of the emptiest cell afterwards
+  double dilute;     ///< the largest change in storage that would balance a row of v, T or chi where nu < .1
+};
+
 /// Owns the DMDA, the model on this rank and the Jacobian matrix.
 class DiscreteProblem {
  public:
@@ -60,8 +67,8 @@ class DiscreteProblem {
   /// evaluation by TS. The imbalances are zero but for rounding; where u is no unknown (gas darcy) that of the gas is
   /// what Newton's method leaves. u goes with nu as it was before, as in the fluxes of the step.
   PetscErrorCode correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const;
-  /// What correct_continuity would do to nu: root mean square of its change, and its least value afterwards.
-  PetscErrorCode continuity_correction(Vec state, Vec residual, double* change, double* least) const;
+  /// How far off the state is that Newton's method has come to, by the residual that is left.
+  PetscErrorCode remainder(Vec state, Vec residual, Remainder* remainder) const;
   /// Friction lagged by a step: chi of `state` after a step of dt of (23) without advection, or chi* itself.
   PetscErrorCode lag_friction(Vec state, double dt) const;
   /// Raises T of a first guess where it is too cold for a step of dt, see Model::raise_temperature.
@@ -96,7 +103,8 @@ class DiscreteProblem {
   std::unique_ptr<Model> model_;
   std::unique_ptr<GasProjection> gas_projection_;  ///< where u is an unknown
   EntryPlaces places_;
-  mutable Vec last_rate_ = nullptr;  ///< dU/dt of the last residual that TS asked for; not owned
+  std::vector<Field> stored_with_nu_;  ///< v, T, chi
+  mutable Vec last_rate_ = nullptr;    ///< dU/dt of the last residual that TS asked for; not owned
   bool keeps_jacobian_ = false;
   double last_shift_ = 0;  ///< of the last Jacobian
 };

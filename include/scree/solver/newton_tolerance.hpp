@@ -13,13 +13,16 @@ namespace scree {
 struct NewtonTolerance {
   static constexpr double tight = 1e-3, loose = 3e-2;
   static constexpr double most = 3e-4;  ///< however loose: nu of the emptiest cells would turn negative
-  static constexpr int least_wait = 20, most_wait = 160;
+  static constexpr double most_dilute = 3e-2;
+  static constexpr int least_wait = 10, most_wait = 160;
 
   int calm = 0;           ///< steps since the last failure
   int wait = least_wait;  ///< steps without a failure after which the next is solved loosely
 
   /// For steps that may make the local error `accuracy`.
   double residual(double accuracy) const { return std::min((calm < wait ? tight : loose) * accuracy, most); }
+  /// How far off a single unknown may be where particles are few [scales].
+  static double dilute(double accuracy) { return std::min(3 * accuracy, most_dilute); }
   void failed() { calm = 0; }  ///< an attempt; the next one of the same step is to do better
   /// After the step, of which `failed_before` says whether it took several attempts.
   void step_done(bool failed_before) {

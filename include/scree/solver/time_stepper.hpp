@@ -85,7 +85,7 @@ class TimeStepper {
   PetscErrorCode extrapolate(SNES snes, double ratio, Vec guess);
   PetscErrorCode make_ts();
   PetscErrorCode correct_continuity(SNES snes);
-  PetscErrorCode continuity_converged(SNES snes, bool* converged) const;
+  PetscErrorCode remainder_is_small(SNES snes, bool* small) const;
   PetscErrorCode local_error(double dt, double* error);
   PetscErrorCode norm_of_evolving(Vec difference, double* norm) const;
   PetscErrorCode attempt(double dt, StepReport* report, bool* done);

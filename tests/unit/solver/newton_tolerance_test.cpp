@@ -11,7 +11,7 @@ void good_steps(NewtonTolerance& tolerance, int count) {
 
 TEST(NewtonTolerance, IsTightUntilStepsHaveGoneWell) {
   NewtonTolerance tolerance;
-  good_steps(tolerance, 19);
+  good_steps(tolerance, 9);
   EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 1e-6);
   good_steps(tolerance, 1);
   EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 3e-5);
@@ -31,9 +31,14 @@ TEST(NewtonTolerance, HasABoundForLooseSteps) {
   EXPECT_DOUBLE_EQ(tolerance.residual(0.1), 3e-4);
 }
 
+TEST(NewtonTolerance, BoundsSingleUnknownsWhereParticlesAreFew) {
+  EXPECT_DOUBLE_EQ(NewtonTolerance::dilute(1e-3), 3e-3);
+  EXPECT_DOUBLE_EQ(NewtonTolerance::dilute(0.1), 3e-2);
+}
+
 TEST(NewtonTolerance, WaitsTwiceAsLongAfterEachFailure) {
   NewtonTolerance tolerance;
-  for (const int wait : {40, 80, 160, 160}) {
+  for (const int wait : {20, 40, 80, 160, 160}) {
     tolerance.step_done(true);
     good_steps(tolerance, wait - 1);
     EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 1e-6) << wait;
@@ -46,11 +51,11 @@ TEST(NewtonTolerance, ForgetsFailuresAfterFourTimesTheWait) {
   NewtonTolerance tolerance;
   tolerance.step_done(true);
   tolerance.step_done(true);
-  EXPECT_EQ(tolerance.wait, 80);
-  good_steps(tolerance, 319);
-  EXPECT_EQ(tolerance.wait, 80);
+  EXPECT_EQ(tolerance.wait, 40);
+  good_steps(tolerance, 159);
+  EXPECT_EQ(tolerance.wait, 40);
   good_steps(tolerance, 1);
-  EXPECT_EQ(tolerance.wait, 20);
+  EXPECT_EQ(tolerance.wait, 10);
   EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 3e-5);
 }
 
