@@ -124,6 +124,22 @@ TEST(CellClosure, AlgebraicTemperatureBalancesTheEnergy) {
 }
 
 // T2: steady simple shear, total shear stress.
+TEST(CellClosure, ShearHeatsNoVoids) {
+  EXPECT_EQ(production_share(0.0), 0);
+  EXPECT_DOUBLE_EQ(production_share(1e-4), 0.5);
+  EXPECT_NEAR(production_share(1e-3), 1, 2e-8);
+  const auto heat = [](TemperatureModel model, double nu) {
+    return cell_closure(nu, 1e-4, 1.0, 0.0, 1e6, 0.0, with_models(FrictionModel::none, model));
+  };
+  for (const double nu : {1e-9, 1e-7, 1e-5}) {
+    const auto at = heat(TemperatureModel::transport, nu);
+    EXPECT_GT(at[CellClosure::viscosity], 1e-4) << nu;  // does not vanish with nu
+    EXPECT_LT(at[CellClosure::energy_source], 1e-7 * 2 * at[CellClosure::viscosity] * 1e6) << nu;
+  }
+  const auto dense = heat(TemperatureModel::transport, 0.1);
+  EXPECT_GT(dense[CellClosure::energy_source], 0.9 * 2 * dense[CellClosure::viscosity] * 1e6);
+}
+
 TEST(CellClosure, SteadySimpleShear) {
   const SolidsParameters p = with_models(FrictionModel::critical_state, TemperatureModel::algebraic);
   const double rate = 20, nu = .6, d = p.kinetic.d;
