@@ -6,7 +6,7 @@ namespace {
 
 /// The cheapest without gas: ILU until the modes that span the box take too many iterations, see README.md.
 SolverPreset preset_without_gas(const GridInput& grid) {
-  const double most_cells_of_ilu = grid.dim < 3 ? 5e4 : 1e5;
+  const double most_cells_of_ilu = grid.dim < 3 ? 2e4 : 1e5;
   double cells = 1;
   for (int axis = 0; axis < grid.dim; ++axis) cells *= cells_along(grid, axis);
   return cells > most_cells_of_ilu ? SolverPreset::multigrid : SolverPreset::ilu;
@@ -23,7 +23,7 @@ void declare_solver(OptionSet& o, const GridInput& grid, Case& scene) {
             {"multigrid", SolverPreset::multigrid},
             {"fieldsplit", SolverPreset::fieldsplit}},
            "named set of PETSc options for the linear systems")
-      .default_from("ilu; multigrid above 50 000 cells, in 3-D 100 000; fieldsplit with gas");
+      .default_from("ilu; multigrid above 20 000 cells, in 3-D 100 000; fieldsplit with gas");
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");
   o.real("scale_velocity", scene.scale_velocity, "m/s", non_negative(),
