@@ -150,12 +150,15 @@ def plain(rows, usual):
 
 
 def finest_family(rows):
-    """The rows of the family of grids that has the smallest cells: others have other factors of their errors."""
+    """The rows of the family of grids that has the smallest cells: others have other factors of their errors. One of two
+    grids, which shows no order, stands back behind one of three."""
     families = {}
     for row in rows:
         families.setdefault(row.family, []).append(row)
-    several = [group for group in families.values() if len({row.setting.grid for row in group}) > 1]
-    return min(several, key=lambda group: min(row.cell_size for row in group), default=[])
+    grids = {name: len({row.setting.grid for row in group}) for name, group in families.items()}
+    several = [name for name, count in grids.items() if count > 1]
+    best = min(several, key=lambda name: (-min(grids[name], 3), min(row.cell_size for row in families[name])), default=None)
+    return families.get(best, [])
 
 
 def reference_accuracy(rows):

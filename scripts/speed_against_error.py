@@ -98,10 +98,11 @@ class Scene:
     field_interval: float  # [s]
     cpu_seconds: float  # of the usual setting, for the estimates ...
     cost_exponent: float  # ... which go with cells to this
+    time_step_max: float = 2e-2  # of the case [s]
 
     @property
     def usual(self):
-        return Setting(self.usual_grid, gas=self.gas)
+        return Setting(self.usual_grid, gas=self.gas, time_step_max=self.time_step_max)
 
 
 SIMPLER_MODELS = ({"friction_model": "critical_state"}, {"granular_temperature": "algebraic"},
@@ -134,9 +135,9 @@ SCENES = {
         window=(0.3, 0.5), field_interval=0.02, cpu_seconds=11, cost_exponent=1.15,
     ),
     "bin_discharge_fine": Scene(
-        **BIN, grids={"4 mm": BIN_GRIDS["4 mm"], "2 mm": BIN_GRIDS["2 mm"], **GRADED_GRIDS},
+        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS},
         product_grids=("4 mm", "2 mm", "0.8 mm graded", "0.4 mm graded"),
-        costly_grids=("0.2 mm graded",), costly_accuracies=(1e-2,),
+        costly_grids=("1 mm", "0.2 mm graded"), costly_accuracies=(1e-2,),
         solver_grids=("2 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "none"}, {"gas": "darcy"}), gas="incompressible",
         window=(0.6, 0.8), field_interval=0.02, cpu_seconds=50, cost_exponent=1.5,
     ),
@@ -144,8 +145,8 @@ SCENES = {
         grids={"6 mm": Grid((2, 10), (67, 50)), "3 mm": Grid((3, 20), (133, 100)),
                "1.5 mm": Grid((3, 20), (133, 100), 2)},
         usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(1e-2,),
-        solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(1e-3, 2e-3, 5e-3),
-        gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,
+        solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(2e-3, 5e-3, 2e-2),
+        time_step_max=1e-3, gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,
         full_width={"grid_x_edges": "-7 cm, -1 cm, 1 cm, 7 cm", "boundary_centreline_kind": "wall_free_slip",
                     "boundary_slit_patch": "-1 cm, 1 cm", "initial_bed_box": "-7 cm, 7 cm, 0, 40 cm", "output_mirror": "1"},
         window=(0.4, 0.5), field_interval=0.0, cpu_seconds=60, cost_exponent=1.4,
@@ -202,7 +203,8 @@ def estimate(scene, setting):
     seconds *= tightness ** (0.4 if tightness > 1 else 0.15)  # loose steps take more iterations
     for name, factors in COST_FACTORS.items():
         seconds *= factors.get(getattr(setting, name), 1) / factors.get(getattr(scene.usual, name), 1)
-    return seconds * max(1, 4e-3 / setting.time_step_max) * (1 + 0.1 * (setting.ranks - 1))
+    steps = max(1, min(4e-3, scene.time_step_max) / setting.time_step_max)
+    return seconds * steps * (1 + 0.1 * (setting.ranks - 1))
 
 
 def options(scene, setting, end_time):
