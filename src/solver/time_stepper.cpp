@@ -281,7 +281,7 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
 PetscErrorCode TimeStepper::remainder_is_small(SNES snes, bool* small) const {
   PetscFunctionBeginUser;
   Vec state, residual;
-  const double share = control_.scheme == "beuler" ? 1e-4 : 0.5;  // schemes of order 2 do not keep nu positive
+  const double share = control_.scheme == "beuler" ? 1e-8 : 0.5;  // schemes of order 2 do not keep nu positive
   Remainder left;
   PetscCall(SNESGetSolution(snes, &state));
   PetscCall(SNESGetFunction(snes, &residual, nullptr, nullptr));
