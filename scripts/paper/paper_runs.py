@@ -95,7 +95,7 @@ WIDTH_CELLS = {"1.6": {"coarse": "4, 16", "paper": "8, 32"}, "1.8": {"coarse": "
                "2.0": {"coarse": "5, 15", "paper": "10, 30"}}
 BIN = dict(coarse="bin_discharge/coarse.yaml", paper="bin_discharge/paper.yaml", interval=0.1)
 BUBBLE = dict(interval=0.02, end={"": 0.5}, window=(0.5, 0.5), page=("coarse", "paper", "half"))
-BUBBLE_OPTIONS = {"advection": "upwind", "grid_x_cells": {"coarse": "2, 10", "paper": None}, "grid_y_cells": {"coarse": "67, 50", "paper": None}}
+SIX_MM = {"grid_x_cells": {"coarse": "2, 10", "paper": None}, "grid_y_cells": {"coarse": "67, 50", "paper": None}}
 EQUILIBRIUM = {"initial_fill_profile": "equilibrium", "initial_fill_surface": "105 cm",
                "initial_fill_janssen_width": "8 cm"}
 FINE = dict(interval=0.05, end={"": 1.2}, window=(0.6, 1.2), page=("coarse", "paper"))
@@ -163,7 +163,7 @@ def table():
         Entry("fine_air", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml", **FINE, cpu=AIR_CPU),
         Entry("fine_vacuum", "bin_discharge_fine/case.yaml", "bin_discharge_fine/paper.yaml",
               options={"gas": "none"}, **FINE, cpu=scaled(0.35, AIR_CPU)),
-        *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=BUBBLE_OPTIONS, **BUBBLE,
+        *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=SIX_MM, **BUBBLE,
                 cpu=scaled(factor, BUBBLE_CPU))
           for model, file, factor in (("relaxed", "case", 1.0), ("critical_state", "critical_state", 1.0),
                                       ("no_friction", "no_friction", 2.0))),

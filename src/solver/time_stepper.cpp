@@ -332,12 +332,12 @@ PetscErrorCode TimeStepper::norm_of_evolving(Vec difference, double* norm) const
   const ProblemSetup& setup = problem_.setup();
   const bool gas_alone = !setup.model.solids_moving || setup.scales.density != setup.solids.kinetic.rho_s;
   const int unknowns = problem_.model().unknowns();
-  std::vector<int> of_gas, of_particles;
+  std::vector<int> everywhere, with_particles;
   for (const Field& field : problem_.model().fields()) {
     if (field.symbol == "nu" || (field.symbol == "u" && gas_alone))
-      of_gas.push_back(field.component);
+      everywhere.push_back(field.component);
     else if (field.symbol != "p_g" && field.symbol != "u")
-      of_particles.push_back(field.component);
+      with_particles.push_back(field.component);
   }
   PetscInt size, local_size;
   const double *d, *x;
@@ -348,14 +348,14 @@ PetscErrorCode TimeStepper::norm_of_evolving(Vec difference, double* norm) const
   double sum = 0;
   for (PetscInt node = 0; node < local_size; node += unknowns) {
     const double weight = std::clamp(x[node + Model::solids_fraction] / few, 0.0, 1.0);
-    for (const int c : of_gas) sum += d[node + c] * d[node + c];
-    for (const int c : of_particles) sum += weight * d[node + c] * d[node + c];
+    for (const int c : everywhere) sum += d[node + c] * d[node + c];
+    for (const int c : with_particles) sum += weight * d[node + c] * d[node + c];
   }
   PetscCall(VecRestoreArrayRead(state_, &x));
   PetscCall(VecRestoreArrayRead(difference, &d));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_of(difference)));
   const double nodes = static_cast<double>(size) / unknowns;
-  *norm = std::sqrt(sum / (nodes * static_cast<double>(of_gas.size() + of_particles.size())));
+  *norm = std::sqrt(sum / (nodes * static_cast<double>(everywhere.size() + with_particles.size())));
   PetscFunctionReturn(0);
 }
 

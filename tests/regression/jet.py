@@ -7,7 +7,7 @@ import numpy as np
 from scree_program import Checks, Program
 
 # Cells of 1 cm, a bed of 12 cm, the jet until .04 s.
-COARSE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cells": "12, 8", "advection": "upwind",
+COARSE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cells": "12, 8",
           "initial_bed_box": "0, 7 cm, 0, 12 cm", "boundary_slit_until": 0.04, "end_time": 0.06, "checkpoint_interval": 0.03}
 TOLERANCES = {"bed_height": 2e-3, "solids_fraction_max": 2e-3, "gas_pressure_max": 0.01,
               "speed_max": 0.02}

@@ -53,6 +53,8 @@ graded = [Row(Setting(f"{size} graded"), size, {"cpu_s": 1.0}, {"rate": np.array
           for size in (0.08, 0.04, 0.02)]
 reference = work_precision.add_errors([row(grid) for grid in SIZES] + graded, usual)["rate"]
 checks.close("families: that of the smallest cells", float(reference.value[0]), 90, relative=1e-6)
+reference = work_precision.add_errors([row(grid) for grid in SIZES] + graded[1:], usual)["rate"]
+checks.close("families: two grids stand back behind three", float(reference.value[0]), EXACT, relative=1e-6)
 
 # Irregular orders: the mean of the schemes.
 swinging = [row(grid, advection) for advection in ORDERS for grid in SIZES]

@@ -15,7 +15,7 @@ for refine in REFINE:
     name = f"{3 / refine:g} mm"
     print(f"{name} ...", flush=True)
     run = program.run("../../cases/bubble_rise/full_width.yaml", f"refine_{refine}",
-                      {"advection": "upwind", "grid_refine": refine, "end_time": END, "output_interval": END / 25}, timeout=None)
+                      {"grid_refine": refine, "end_time": END, "output_interval": END / 25}, timeout=None)
     monitor, (nu, v) = run.monitor, asymmetry(run.fields)
     area, top, centre = bubble(run.fields)
     results.append((refine, run, nu, area, top, centre))

@@ -123,7 +123,6 @@ TEST(CellClosure, AlgebraicTemperatureBalancesTheEnergy) {
       }
 }
 
-// T2: steady simple shear, total shear stress.
 TEST(CellClosure, ShearHeatsNoVoids) {
   EXPECT_EQ(production_share(0.0), 0);
   EXPECT_DOUBLE_EQ(production_share(1e-4), 0.5);
@@ -140,6 +139,7 @@ TEST(CellClosure, ShearHeatsNoVoids) {
   EXPECT_GT(dense[CellClosure::energy_source], 0.9 * 2 * dense[CellClosure::viscosity] * 1e6);
 }
 
+// T2: steady simple shear, total shear stress.
 TEST(CellClosure, SteadySimpleShear) {
   const SolidsParameters p = with_models(FrictionModel::critical_state, TemperatureModel::algebraic);
   const double rate = 20, nu = .6, d = p.kinetic.d;
