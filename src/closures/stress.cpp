@@ -23,7 +23,7 @@ std::array<Number, CellClosure::count> cell_closure_with(const Gas& gas, const N
   const Number rho_d_sqrt_T = (k.rho_s * k.d) * sqrt_T;
   const Number p_k = k.rho_s * f[factor_pressure] * theta - f[factor_bulk] * rho_d_sqrt_T * div_v;
   const Number mu_k = damped_shear_factor(nu, f, gas, sqrt_T, k) * rho_d_sqrt_T;
-  const Number J_coll = (k.rho_s / k.d) * f[factor_dissipation] * theta * sqrt_T;
+  const Number J_coll = dissipation_by(f[factor_dissipation], nu, theta, sqrt_T, k);
   const Number shear_heat = p.temperature == TemperatureModel::transport ? production_share(nu) * mu_k : mu_k;
   Number energy_source = 2.0 * shear_heat * S_S - p_k * div_v - J_coll;
   if constexpr (has_gas) energy_source -= viscous_dissipation(theta, sqrt_T, gas.drag, gas.agitation);

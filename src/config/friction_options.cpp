@@ -4,7 +4,8 @@
 
 namespace scree {
 
-void declare_friction(OptionSet& o, FrictionParameters& friction) {
+void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
+                      KineticParameters& kinetic) {
   o.group("friction");
   o.choice("friction_model", friction.model,
            {{"none", FrictionModel::none},
@@ -55,6 +56,16 @@ void declare_friction(OptionSet& o, FrictionParameters& friction) {
   o.real("friction_strain_rate_floor", friction.strain_rate_floor, "1/s", non_negative(),
          "floor^2 is added under sqrt(S:S + T/d^2)")
       .used_if(some, absent);
+
+  // Here, because the default depends on friction: without it collisions alone hold up a packed bed.
+  const bool transported = temperature == TemperatureModel::transport;
+  kinetic.T_rest = transported && !some ? 1e-6 : 0;
+  o.real("granular_temperature_at_rest", kinetic.T_rest, "m2/s2", non_negative(),
+         "T that collisions leave near nu_max: in (1.4) T - T_rest (nu/nu_max)^32 in place of the first T")
+      .symbol("T_rest")
+      .default_from("1e-6 without friction, else 0")
+      .used_if(transported, "granular_temperature is not transport");
+  if (!transported) kinetic.T_rest = 0;  // elsewhere T is not what is left of it
 }
 
 }  // namespace scree

@@ -31,7 +31,7 @@ void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
   declare_model(o, grid.dim, scene.model);
   declare_particles(o, scene.kinetic, scene.friction, scene.wall);
   declare_gas(o, scene);
-  declare_friction(o, scene.friction);
+  declare_friction(o, scene.friction, scene.model.temperature, scene.kinetic);
   declare_wall(o, scene.wall);
   scene.segments = declare_boundaries(o, grid, scene);
   scene.plates = declare_plates(o, grid, scene);

@@ -17,13 +17,17 @@ SolverPreset preset_without_gas(const GridInput& grid) {
 void declare_solver(OptionSet& o, const GridInput& grid, Case& scene) {
   o.group("solver");
   scene.solver.preset = scene.gas.model == GasModel::none ? preset_without_gas(grid) : SolverPreset::fieldsplit;
-  o.choice("solver", scene.solver.preset,
-           {{"direct", SolverPreset::direct},
-            {"ilu", SolverPreset::ilu},
-            {"multigrid", SolverPreset::multigrid},
-            {"fieldsplit", SolverPreset::fieldsplit}},
-           "named set of PETSc options for the linear systems")
-      .default_from("ilu; multigrid above 20 000 cells, in 3-D 100 000; fieldsplit with gas");
+  scene.solver.preset_given =
+      o.choice("solver", scene.solver.preset,
+               {{"direct", SolverPreset::direct},
+                {"ilu", SolverPreset::ilu},
+                {"multigrid", SolverPreset::multigrid},
+                {"fieldsplit", SolverPreset::fieldsplit}},
+               "named set of PETSc options for the linear systems")
+          .default_from(
+              "ilu; multigrid above 20 000 cells, in 3-D 100 000; with gas fieldsplit, then multigrid where that takes "
+              "more than 50 iterations")
+          .given;
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");
   o.real("scale_velocity", scene.scale_velocity, "m/s", non_negative(),

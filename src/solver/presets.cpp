@@ -161,15 +161,24 @@ PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_
   return list;
 }
 
-PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure) {
+PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure,
+                            std::vector<std::string>* added) {
   PetscFunctionBeginUser;
   PetscCall(register_orderings());
   for (const auto& [name, value] : preset_options(preset, unknowns, gas_pressure)) {
     const std::string option = "-" + name;
     PetscBool set;
     PetscCall(PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set));
-    if (!set) PetscCall(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
+    if (set) continue;
+    PetscCall(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
+    if (added) added->push_back(name);
   }
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode remove_options(const std::vector<std::string>& names) {
+  PetscFunctionBeginUser;
+  for (const std::string& name : names) PetscCall(PetscOptionsClearValue(nullptr, ("-" + name).c_str()));
   PetscFunctionReturn(0);
 }
 

@@ -131,6 +131,20 @@ PetscErrorCode TimeStepper::set_time(double time) {
   PetscFunctionReturn(0);
 }
 
+PetscErrorCode TimeStepper::make_preconditioner_anew() {
+  PetscFunctionBeginUser;
+  SNES snes;
+  KSP ksp;
+  PC pc;
+  PetscCall(TSGetSNES(ts_, &snes));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCNONE));  // a type that is set again keeps the solvers inside as they are
+  PetscCall(PCSetFromOptions(pc));
+  PetscCall(renew_preconditioner());
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode TimeStepper::restart_after_event() {
   PetscFunctionBeginUser;
   history_.dt_past = {0, 0};

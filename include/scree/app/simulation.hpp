@@ -35,11 +35,21 @@ class Simulation {
     double dt_max = 0;          ///< [s]
   };
 
+  /// What presets cost, see reconsider_preset.
+  struct RecentSolves {
+    int newton = 0, krylov = 0;  ///< iterations since the preset was last thought over
+    int wait = 10;               ///< Newton iterations until fieldsplit is thought over
+    int back = 0;                ///< times that multigrid did not pay
+    double with_fieldsplit = 0;  ///< Krylov iterations a linear system when it was left
+  };
+
   static StepControl step_control(const Case& scene);
   void start_new();
   void restart();
   void open_outputs(std::optional<double> restart_time);
   double next_event() const;
+  void apply_solver_preset(SolverPreset preset);
+  void reconsider_preset(const StepReport& report);
   void account(const StepReport& report);
   void make_gas_consistent();
   double mass_error() const;
@@ -62,6 +72,8 @@ class Simulation {
   std::unique_ptr<FieldWriter> fields_;
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
+  std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
+  RecentSolves recent_;
   double next_fields_ = 0, next_checkpoint_ = 0;
 };
 

@@ -90,6 +90,7 @@ struct OutputParameters {
 
 struct SolverParameters {
   SolverPreset preset = SolverPreset::ilu;
+  bool preset_given = false;  ///< one that was not may change on the way
   bool extrapolate = true;
   bool view = false;  ///< print the solver's set-up and the PETSc options it stands for
 };

@@ -62,7 +62,8 @@ void declare_grid(OptionSet& o, GridInput& grid);
 void declare_model(OptionSet& o, int dim, ModelParameters& model);
 void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall);
 void declare_gas(OptionSet& o, Case& scene);
-void declare_friction(OptionSet& o, FrictionParameters& friction);
+void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
+                      KineticParameters& kinetic);
 void declare_wall(OptionSet& o, WallParameters& wall);
 std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene);
 std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene);

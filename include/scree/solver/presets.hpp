@@ -16,7 +16,11 @@ using PetscOptionList = std::vector<std::pair<std::string, std::string>>;
 /// first and p_g, with gas, at place `gas_pressure`.
 PetscOptionList preset_options(const std::string& preset, int unknowns, int gas_pressure = -1);
 
-/// Puts those options that are not set yet into the options database.
-PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure = -1);
+/// Puts those options that are not set yet into the options database; `added` receives their names.
+PetscErrorCode apply_preset(const std::string& preset, int unknowns, int gas_pressure = -1,
+                            std::vector<std::string>* added = nullptr);
+
+/// Takes the options `names` out of the options database.
+PetscErrorCode remove_options(const std::vector<std::string>& names);
 
 }  // namespace scree

@@ -67,6 +67,8 @@ class TimeStepper {
   /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall
   /// not depend on whether the run was interrupted there.
   PetscErrorCode forget_preconditioner();
+  /// After the options of the preconditioner have changed; those of the Krylov method stay as they were.
+  PetscErrorCode make_preconditioner_anew();
   /// After the conditions of the problem have changed: matrix and history are made anew.
   PetscErrorCode restart_after_event();
 

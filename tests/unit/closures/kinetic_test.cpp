@@ -142,6 +142,16 @@ TEST(Kinetic, FiniteAtTheEdges) {  // H15
         }
 }
 
+TEST(Kinetic, CollisionsLeaveTemperatureAtRest) {
+  KineticParameters resting = p;
+  resting.T_rest = 1e-6;
+  const double nu = p.nu_max * std::pow(.5, 1. / 32), T = 4e-6, sqrt_T = 2e-3;  // half of T_rest is left here
+  EXPECT_NEAR(temperature_at_rest(nu, resting), .5e-6, 1e-19);
+  EXPECT_LT(dissipation(nu, .4e-6, 1e-3, resting), 0);
+  EXPECT_NEAR(dissipation(nu, T, sqrt_T, resting) / dissipation(nu, T, sqrt_T, p), 7. / 8, 1e-14);
+  EXPECT_NEAR(dissipation(.3, 1e-6, 1e-3, resting) / dissipation(.3, 1e-6, 1e-3, p), 1, 1e-10);
+}
+
 TEST(Kinetic, DiluteLimit) {
   EXPECT_EQ(radial_distribution(0.0, p), 1);
   EXPECT_EQ(kinetic_pressure(0.0, 1e-4, p), 0);

@@ -47,6 +47,15 @@ TEST_F(ReadCase, DefaultsAreThoseOfThePaper) {
   EXPECT_DOUBLE_EQ(scene.wall.delta, quantity("12.3 deg", "rad"));
 }
 
+TEST_F(ReadCase, CollisionsLeaveTemperatureWhereNothingElseCarries) {
+  small_bin();
+  EXPECT_EQ(read_case().kinetic.T_rest, 0);
+  yaml("friction: {model: none}");
+  EXPECT_EQ(read_case().kinetic.T_rest, 1e-6);
+  yaml("friction: {model: none}\ngranular_temperature_at_rest: 1 cm2/s2");
+  EXPECT_EQ(read_case().kinetic.T_rest, 1e-4);
+}
+
 TEST_F(ReadCase, ParticlesReachAllClosures) {
   small_bin();
   yaml("particle: {density: 2.5 g/cm3, diameter: 100 um}\nsolids_fraction_max: 64 %\nfriction: {angle: 30 deg}");

@@ -47,6 +47,19 @@ TEST_F(Presets, GiveWayToTheUser) {
   EXPECT_EQ(value("-ksp_type"), "bcgs");
 }
 
+TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
+  check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
+  std::vector<std::string> added;
+  check(apply_preset("fieldsplit", 8, 5, &added));
+  EXPECT_EQ(std::count(added.begin(), added.end(), "ksp_rtol"), 0);
+  check(remove_options(added));
+  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "(not set)");
+  check(apply_preset("multigrid", 8, 5));
+  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
+  EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
+  EXPECT_EQ(value("-ksp_rtol"), "1e-9");
+}
+
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
   check(apply_preset("fieldsplit", 5));
   std::string fields;
