@@ -19,7 +19,7 @@ def runs_needed(finest):
     """(name, grid) of the runs that the page needs of the quantities, up to a grid."""
     grids = paper_runs.GRIDS[:paper_runs.GRIDS.index(finest) + 1]
     names = dict.fromkeys(name for quantity in paper_quantities.SECTIONS["convergence"] for name in quantity.runs)
-    return [(name, grid) for name in names for grid in grids if grid in paper_runs.TABLE[name].page]
+    return [(name, grid) for grid in grids for name in names if grid in paper_runs.TABLE[name].page]
 
 
 def draw(values):

@@ -155,6 +155,13 @@ def plug(directory):
     return 100 * (speed[0] - speed[-1]) / speed.mean()
 
 
+def flat_part(directory):
+    """Share of the width 40 cm up in which the speed is within 10 % of the centreline's [%]."""
+    run = Discharge(directory, at=3.0)
+    speed = row_at(run, 40.0)
+    return 100 * float(np.interp(-0.9 * speed[0], -speed, run.x)) / run.x_faces[-1]  # speed falls outwards
+
+
 def row_at(run, height):
     return -run.velocity[np.argmin(np.abs(run.y - height)), :, 1]
 
@@ -214,6 +221,8 @@ def of_figures():
         found.append(q(f"figure_04.rate_at_{time:g}", f"rate at {time:g} s", "g/s", "", BIN, time, rate_at(time)))
     found += [
         q("figure_05.plug", "40 cm up, centreline faster than wall", "% of mean", "nearly plug flow", BIN, 3.0, plug),
+        q("figure_05.flat", "width within 10 % of the centreline's speed", "% of all", "nearly plug flow", BIN, 3.0,
+          flat_part),
         q("figure_05.corner", "speed within 1 cm of the corner over the plug's", "%", "slow, not stagnant", BIN, 3.0,
           corner),
     ]
