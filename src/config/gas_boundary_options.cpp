@@ -20,6 +20,11 @@ Use use_of_pressure(const Case& scene, const Condition& condition) {
   return {condition.kind == BoundaryKind::open, "its kind is not open"};
 }
 
+Use use_of_entry(const Case& scene, const Condition& condition) {
+  if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
+  return {condition.kind == BoundaryKind::open, "its kind is not open"};
+}
+
 Use use_of_wall(const Case& scene, const Condition& condition) {
   if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
   if (!scene.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
@@ -82,6 +87,11 @@ void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case&
          "p_g outside of an open side, over that of still gas there")
       .symbol("p_g")
       .used_if(pressure.used, pressure.otherwise);
+  const Use entry = use_of_entry(scene, condition);
+  o.choice(key + "gas_entry", condition.gas_enters_at_rest, {{"at_rest", true}, {"developed", false}},
+           "gas that comes in through an open side: at_rest: from still gas outside, at the cost of its dynamic head "
+           "rho_g u^2/2; developed: as from a channel that goes on outside")
+      .used_if(entry.used, entry.otherwise);
   declare_gas_wall(o, key, scene, condition);
 }
 

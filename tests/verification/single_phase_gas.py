@@ -30,4 +30,10 @@ for cells in (8, 16, 32):
                  np.abs(run.fields["gas_pressure"] / drop - (1 - x / LENGTH)).max(), 1e-6)
     check_balances(checks, f"Poiseuille, {cells} cells", run)
 checks.order("Poiseuille: greatest error on 8, 16, 32 cells across, over the greatest speed", errors, 2, 2e-3)
+
+# Bernoulli: from rest outside through a channel without friction, u = sqrt(2 p/rho_g), and no pressure drop inside.
+run = program.run("gas_channel.yaml", "entry", {**EXACT, "gas_viscous_stress": "no", "boundary_left_gas_entry": "at_rest",
+                                                "boundary_left_gas_pressure": 0.65})
+checks.below("entry from rest: greatest error of u, relative", np.abs(run.fields["gas_velocity_x_face"] - 1).max(), 1e-6)
+checks.below("entry from rest: greatest p_g inside, over that outside", np.abs(run.fields["gas_pressure"] / 0.65).max(), 1e-6)
 checks.verdict()

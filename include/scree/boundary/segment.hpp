@@ -56,12 +56,13 @@ struct Condition {
   double granular_temperature = 0;                ///< inlet only [m2/s2]
   double chi = 1;                                 ///< inlet only [-]
   WallParameters wall;                            ///< wall_johnson_jackson only
-  double gas_velocity = 0;   ///< inlet and gas_inlet: superficial velocity of the gas into the box [m/s]
-  int gas_profile_axis = 0;  ///< axis along the side in which that varies
-  Ramp gas_profile;          ///< its factor along that axis
-  Ramp gas_history;          ///< its factor in time
-  double gas_pressure = 0;   ///< open only: p_g outside, over that of still gas [Pa]
-  bool gas_no_slip = false;  ///< walls only: the gas sticks to the wall; acts where the gas has viscous stress
+  double gas_velocity = 0;         ///< inlet and gas_inlet: superficial velocity of the gas into the box [m/s]
+  int gas_profile_axis = 0;        ///< axis along the side in which that varies
+  Ramp gas_profile;                ///< its factor along that axis
+  Ramp gas_history;                ///< its factor in time
+  double gas_pressure = 0;         ///< open only: p_g outside, over that of still gas [Pa]
+  bool gas_enters_at_rest = true;  ///< open only: what comes in has lost its dynamic head rho_g u^2/2
+  bool gas_no_slip = false;        ///< walls only: the gas sticks to the wall; acts where the gas has viscous stress
   double from = -std::numeric_limits<double>::infinity();  ///< start of the time window [s]
   double until = std::numeric_limits<double>::infinity();  ///< end of the time window [s]
 };

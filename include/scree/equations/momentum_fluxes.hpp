@@ -23,6 +23,7 @@ struct ParticlePhase {
   static bool stops(BoundaryKind kind) { return is_wall(kind); }
   /// Component `axis` of the velocity with which `condition` lets the phase in.
   static double brought(const Condition& condition, int axis) { return condition.velocity[axis]; }
+  static constexpr bool enters_from_rest = false;  // particles fall in as they fell before
 };
 
 /// The gas as such a phase.
@@ -41,6 +42,7 @@ struct GasPhase {
   }
   static bool stops(BoundaryKind kind) { return stops_gas(kind); }
   static double brought(const Condition&, int) { return 0; }  // inlets blow straight in
+  static constexpr bool enters_from_rest = true;              // through open sides, from still gas outside
 };
 
 /// Momentum `axis` carried along the same axis. Anchor I: the centre of cell I, between its two `axis` faces.
@@ -95,9 +97,26 @@ struct NormalMomentumFlux {
     }
     r[0] += rho * F * (carried - below) / scene.control_length(axis, I);
     r[1] -= rho * F * (carried - above) / scene.control_length(axis, I + e);
+    if constexpr (Phase::enters_from_rest) {
+      // What is accelerated from rest outside has lost rho u^2/2 of pressure at an open side. Without that eddies which
+      // reach through the side feed on themselves.
+      if (lets_in_from_rest(scene, I))
+        r[0] += 0.5 * rho * positive(Phase::flux(scene, I, q, axis, {})) * below / scene.control_length(axis, I);
+      if (lets_in_from_rest(scene, I + e))
+        r[1] += 0.5 * rho * positive(-Phase::flux(scene, I, q, axis, e)) * above / scene.control_length(axis, I + e);
+    }
   }
 
  private:
+  static bool lets_in_from_rest(const Scene& scene, const Index& face) {
+    if (!scene.barrier(axis, face)) return false;
+    const Condition& condition = scene.barriers.condition(axis, face);
+    return condition.kind == BoundaryKind::open && condition.gas_enters_at_rest;
+  }
+  template <class Number>
+  static Number positive(const Number& x) {
+    return x > 0.0 ? x : Number(0.0);
+  }
   /// The normal velocity beyond a face: odd about a wall at rest, constant otherwise.
   static Reference beyond(const Condition& condition, int at_face, int mirrored) {
     if (Phase::stops(condition.kind) && condition.velocity[axis] == 0) return {mirrored * e, -1};
