@@ -83,7 +83,7 @@ void Simulation::apply_solver_preset(SolverPreset preset) {
 /// much; where it does not pay, as in beds packed to nu_max, fieldsplit comes back for twice as long as the last time.
 void Simulation::reconsider_preset(const StepReport& report) {
   constexpr int enough = 10, many = 50;
-  constexpr double paying = 0.4;
+  constexpr double paying = 0.6;  // not .4: the steps that it allows are longer
   if (scene_.solver.preset_given || scene_.gas.model == GasModel::none) return;
   recent_.newton += report.newton;
   recent_.krylov += report.krylov;
