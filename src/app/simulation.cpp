@@ -77,33 +77,14 @@ void Simulation::apply_solver_preset(SolverPreset preset) {
   if (scene_.solver.view) print_solver(comm_, scene_, model);
 }
 
-/// With gas the cheaper of two presets depends on more than the size: the bubbling bed takes 2.5 iterations a linear
-/// system with fieldsplit and two thirds of the time with multigrid, the 1 mm bin in air, of as many cells, 84 against
-/// 12 and 3.4 times the time. So where fieldsplit takes many, multigrid is tried, whose iterations cost 2.5 times as
-/// much; where it does not pay, as in beds packed to nu_max, fieldsplit comes back for twice as long as the last time.
+/// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
-  constexpr int enough = 10, many = 50;
-  constexpr double paying = 0.6;  // not .4: the steps that it allows are longer
   if (scene_.solver.preset_given || scene_.gas.model == GasModel::none) return;
-  recent_.newton += report.newton;
-  recent_.krylov += report.krylov;
-  const bool fieldsplit = scene_.solver.preset == SolverPreset::fieldsplit;
-  if (recent_.newton < (fieldsplit ? recent_.wait : enough)) return;
-  const double iterations = static_cast<double>(recent_.krylov) / recent_.newton;
-  if (fieldsplit ? iterations > many : iterations > paying * recent_.with_fieldsplit) {
-    if (fieldsplit)
-      recent_.with_fieldsplit = iterations;
-    else
-      recent_.back += 1;
-    apply_solver_preset(fieldsplit ? SolverPreset::multigrid : SolverPreset::fieldsplit);
-    check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
-    PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
-                iterations, name_of(scene_.solver.preset));
-  }
-  recent_.newton = recent_.krylov = 0;
-  recent_.wait = scene_.solver.preset == SolverPreset::fieldsplit && recent_.back > 0
-                     ? enough << std::min(recent_.back + 3, 12)
-                     : enough;
+  if (!trial_.turns(report.newton, report.krylov)) return;
+  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : SolverPreset::fieldsplit);
+  check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
+  PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
+              trial_.iterations(), name_of(scene_.solver.preset));
 }
 
 void Simulation::start_new() {

@@ -11,6 +11,7 @@
 #include "scree/output/progress.hpp"
 #include "scree/output/stop_request.hpp"
 #include "scree/output/summary.hpp"
+#include "scree/solver/preset_trial.hpp"
 #include "scree/solver/time_stepper.hpp"
 
 namespace scree {
@@ -33,14 +34,6 @@ class Simulation {
     double gas_imbalance = 0;   ///< of gas volume [m^dim]
     double initial_volume = 0;  ///< [m^dim]
     double dt_max = 0;          ///< [s]
-  };
-
-  /// What presets cost, see reconsider_preset.
-  struct RecentSolves {
-    int newton = 0, krylov = 0;  ///< iterations since the preset was last thought over
-    int wait = 10;               ///< Newton iterations until fieldsplit is thought over
-    int back = 0;                ///< times that multigrid did not pay
-    double with_fieldsplit = 0;  ///< Krylov iterations a linear system when it was left
   };
 
   static StepControl step_control(const Case& scene);
@@ -73,7 +66,7 @@ class Simulation {
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
   std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
-  RecentSolves recent_;
+  PresetTrial trial_;
   double next_fields_ = 0, next_checkpoint_ = 0;
 };
 

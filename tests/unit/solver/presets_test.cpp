@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "../../support/sample_problem.hpp"
+#include "scree/solver/preset_trial.hpp"
 
 namespace scree::test {
 namespace {
@@ -58,6 +59,21 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
   EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
+}
+
+TEST(PresetTrial, TriesMultigridAndComesBack) {
+  PresetTrial trial;
+  for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 100));  // 50 are not too many
+  EXPECT_FALSE(trial.turns(9, 900));                                        // not enough to go by
+  EXPECT_TRUE(trial.turns(1, 100));
+  EXPECT_TRUE(trial.multigrid());
+  EXPECT_EQ(trial.iterations(), 100);
+  EXPECT_FALSE(trial.turns(10, 600));  // it pays
+  EXPECT_TRUE(trial.turns(10, 610));
+  EXPECT_FALSE(trial.multigrid());
+  for (int step = 0; step < 15; ++step) EXPECT_FALSE(trial.turns(10, 1000));  // fieldsplit has its time
+  EXPECT_TRUE(trial.turns(10, 1000));
+  EXPECT_TRUE(trial.multigrid());
 }
 
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
