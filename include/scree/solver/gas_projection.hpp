@@ -10,8 +10,9 @@
 namespace scree {
 
 /// The least change of the gas fluxes of a state that makes div(nu v + (1-nu) u) vanish in every cell: minus the
-/// gradient of a potential, by conjugate gradients with BoomerAMG (options prefix "gas_projection_"). Its matrix is
-/// that of the grid and its barriers alone, set up once. For models in which u is an unknown.
+/// gradient of a potential, by Cholesky factorisation, on large grids by conjugate gradients with BoomerAMG (options
+/// prefix "gas_projection_"). Its matrix is that of the grid and its barriers alone, set up once. For models in which u
+/// is an unknown.
 class GasProjection {
  public:
   /// The referenced objects must outlive it. Collective.
@@ -28,6 +29,7 @@ class GasProjection {
 
  private:
   bool passes(int axis, const Index& I) const;
+  PetscErrorCode set_preconditioner();
   PetscErrorCode assemble(Mat matrix) const;
   PetscErrorCode divergence(Vec state, Vec volume_rate, double* greatest, double* flow) const;
   PetscErrorCode correct(Vec state) const;
