@@ -48,7 +48,12 @@ StepControl Simulation::step_control(const Case& scene) {
 }
 
 Simulation::Simulation(MPI_Comm comm, const Case& scene)
-    : comm_(comm), scene_(scene), problem_(problem_setup(scene)), clock_(comm) {
+    : comm_(comm),
+      scene_(scene),
+      problem_(problem_setup(scene)),
+      clock_(comm),
+      first_preset_(scene.solver.preset),
+      trial_(scene.gas.model == GasModel::none ? PresetTrial::without_gas : PresetTrial::with_gas) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
   apply_solver_preset(scene_.solver.preset);
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
@@ -79,9 +84,8 @@ void Simulation::apply_solver_preset(SolverPreset preset) {
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
-  if (scene_.solver.preset_given || scene_.gas.model == GasModel::none) return;
-  if (!trial_.turns(report.newton, report.krylov)) return;
-  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : SolverPreset::fieldsplit);
+  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov)) return;
+  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_);
   check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
   PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
               trial_.iterations(), name_of(scene_.solver.preset));
@@ -114,6 +118,10 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
+  trial_.state() = {saved.scalar("trial_multigrid", 0) > 0, static_cast<int>(saved.scalar("trial_newton", 0)),
+                    static_cast<int>(saved.scalar("trial_krylov", 0)),
+                    static_cast<int>(saved.scalar("trial_returns", 0)), saved.scalar("trial_with_first", 0)};
+  if (!scene_.solver.preset_given && trial_.multigrid()) apply_solver_preset(SolverPreset::multigrid);
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
   stepper_->history() = {saved.scalar("dt_next"),
@@ -273,6 +281,7 @@ void Simulation::write_checkpoint() {
   const double interval = scene_.output.checkpoint_interval;
   if (interval > 0) next_checkpoint_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
   const StepHistory& history = stepper_->history();
+  const PresetTrial::State& trial = trial_.state();
   scree::write_checkpoint(scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(),
                           problem_.model().fields(),
                           {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
@@ -284,6 +293,11 @@ void Simulation::write_checkpoint() {
                            {"calm_steps", history.newton.calm},
                            {"calm_wait", history.newton.wait},
                            {"guess", static_cast<double>(history.guess)},
+                           {"trial_multigrid", trial.multigrid ? 1 : 0},
+                           {"trial_newton", trial.newton},
+                           {"trial_krylov", trial.krylov},
+                           {"trial_returns", trial.returns},
+                           {"trial_with_first", trial.with_first},
                            {"steps", totals_.steps},
                            {"newton", totals_.newton},
                            {"krylov", totals_.krylov},

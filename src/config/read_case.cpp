@@ -38,7 +38,7 @@ void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
   scene.initial = declare_initial(o, grid, scene);
   declare_time(o, scene.time);
   declare_output(o, grid, scene);
-  declare_solver(o, grid, scene);
+  declare_solver(o, scene);
 }
 
 Case read_case() {

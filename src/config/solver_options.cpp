@@ -2,21 +2,9 @@
 
 namespace scree {
 
-namespace {
-
-/// The cheapest without gas: ILU until the modes that span the box take too many iterations, see README.md.
-SolverPreset preset_without_gas(const GridInput& grid) {
-  const double most_cells_of_ilu = grid.dim < 3 ? 2e4 : 1e5;
-  double cells = 1;
-  for (int axis = 0; axis < grid.dim; ++axis) cells *= cells_along(grid, axis);
-  return cells > most_cells_of_ilu ? SolverPreset::multigrid : SolverPreset::ilu;
-}
-
-}  // namespace
-
-void declare_solver(OptionSet& o, const GridInput& grid, Case& scene) {
+void declare_solver(OptionSet& o, Case& scene) {
   o.group("solver");
-  scene.solver.preset = scene.gas.model == GasModel::none ? preset_without_gas(grid) : SolverPreset::fieldsplit;
+  scene.solver.preset = scene.gas.model == GasModel::none ? SolverPreset::ilu : SolverPreset::fieldsplit;
   scene.solver.preset_given =
       o.choice("solver", scene.solver.preset,
                {{"direct", SolverPreset::direct},
@@ -25,8 +13,8 @@ void declare_solver(OptionSet& o, const GridInput& grid, Case& scene) {
                 {"fieldsplit", SolverPreset::fieldsplit}},
                "named set of PETSc options for the linear systems")
           .default_from(
-              "ilu; multigrid above 20 000 cells, in 3-D 100 000; with gas fieldsplit, then multigrid where that takes "
-              "more than 50 iterations")
+              "ilu, with gas fieldsplit; then multigrid where they take more than 80, with gas 50, iterations a linear "
+              "system and multigrid less than .45, .6 of them")
           .given;
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");

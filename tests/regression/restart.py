@@ -56,6 +56,17 @@ for name, ranks in (("same_ranks", program.ranks), ("other_ranks", 3 - program.r
     else:
         checks.below("other ranks: greatest difference of nu and v", greatest_difference(whole.fields, again.fields), 2e-3)
 
+# After the program has gone over to another preset. With Jacobi in the place of its ILU that is soon.
+CHANGING = {**{name: value for name, value in RUN.items() if name != "solver"}, "sub_pc_type": "jacobi", "ksp_rtol": 1e-10,
+            "ksp_max_it": 2000}
+changed = program.run("small_bin.yaml", "changed", CHANGING)
+checks.true("changed preset: multigrid in the end", "solver multigrid from here on" in changed.log, changed.log)
+shutil.copytree(changed.directory, program.work / "changed_again")
+sorted((program.work / "changed_again" / "checkpoints").glob("*.h5"))[-1].unlink()
+again = program.run("small_bin.yaml", "changed_again", {**CHANGING, "restart": program.work / "changed_again"})
+checks.true("changed preset: bits of the last fields", same_bits(changed.fields, again.fields),
+            f"differ by {greatest_difference(changed.fields, again.fields):.1e}")
+
 # A signal to the process (one rank) or to mpirun, which passes on SIGUSR1 alone.
 numbers = (signal.SIGTERM, signal.SIGUSR1) if program.ranks == 1 else (signal.SIGUSR1,)
 for number in numbers:

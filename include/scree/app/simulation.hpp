@@ -66,6 +66,7 @@ class Simulation {
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
   std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
+  SolverPreset first_preset_;
   PresetTrial trial_;
   double next_fields_ = 0, next_checkpoint_ = 0;
 };

@@ -74,7 +74,7 @@ void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, C
 std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene);
 void declare_time(OptionSet& o, TimeParameters& time);
 void declare_output(OptionSet& o, const GridInput& grid, Case& scene);
-void declare_solver(OptionSet& o, const GridInput& grid, Case& scene);
+void declare_solver(OptionSet& o, Case& scene);
 
 /// The box with its face positions. Throws InputError if lists do not fit together.
 Box make_box(const GridInput& grid);

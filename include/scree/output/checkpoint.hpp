@@ -43,6 +43,10 @@ class Checkpoint {
   bool has(const std::string& name) const { return vectors.count(name) > 0; }
   Vec vector(const std::string& name) const;     ///< borrowed; throws std::runtime_error if the file has none
   double scalar(const std::string& name) const;  ///< throws std::runtime_error if the file has none
+  /// `otherwise` if the file, of an earlier version, has none.
+  double scalar(const std::string& name, double otherwise) const {
+    return scalars.count(name) > 0 ? scalars.at(name) : otherwise;
+  }
 };
 
 /// Collective. Reads the newest sound checkpoint of `source`: an output directory, its checkpoints/, or one file.
