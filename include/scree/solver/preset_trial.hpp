@@ -5,23 +5,25 @@
 
 namespace scree {
 
-/// The cheaper preset depends on more than the size. Without gas `ilu` is cheaper than its iterations a linear system
-/// let expect, since Newton's method and steps do better with it. Plateau of the 1 mm bin on 40 x 526 cells: 20
-/// iterations in steps of .02 s, multigrid 16 to 40 in steps of .013 s and twice the time; on 80 x 1052 cells 70 and
-/// 28, and five sixths of multigrid's time. With gas the bubbling bed takes 2.5 with `fieldsplit`, in two thirds of the
-/// time that multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4 times the time, multigrid 12. So where
-/// the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first
-/// comes back, each time for twice as long.
+/// The cheaper preset depends on more than the size. Without gas `ilu` is the cheaper one while it takes few iterations
+/// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on 2 ranks, takes 6 of them, multigrid 5.6 and 1.6
+/// times the time. In the plateau it takes 29, multigrid 15 and three quarters of the time; on one rank 20 and 17, and
+/// less time than multigrid. With gas the bubbling bed takes 2.5 with `fieldsplit`, in two thirds of the time that
+/// multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4 times the time, multigrid 12. So where the first
+/// preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first comes back,
+/// each time for twice as long.
 class PresetTrial {
  public:
   struct Rule {
     double many;    ///< Krylov iterations a linear system with the first preset, above which multigrid is tried
     double paying;  ///< of them, up to which multigrid is kept
+    int patience;   ///< with which the first preset is given time after its return, growing
   };
-  /// ilu: one iteration of multigrid costs 1.7 times as much.
-  static constexpr Rule without_gas{80, 0.45};
+  /// ilu: one iteration of multigrid costs twice as much, but its set-up serves a whole step.
+  /// As steps grow with the plateau, what it took when it was left says less and less: it is soon asked again.
+  static constexpr Rule without_gas{15, 0.75, 1};
   /// fieldsplit: one iteration of multigrid costs 2.5 times as much, but the steps that it allows are longer.
-  static constexpr Rule with_gas{50, 0.6};
+  static constexpr Rule with_gas{50, 0.6, 8};
 
   /// What a checkpoint has to hold.
   struct State {
@@ -59,7 +61,7 @@ class PresetTrial {
   /// Newton iterations for a decision.
   int enough() const {
     const bool again = !state_.multigrid && state_.returns > 0;
-    return again ? 10 << std::min(state_.returns + 3, 12) : 10;
+    return again ? 10 * rule_.patience << std::min(state_.returns, 9) : 10;
   }
 
   Rule rule_;

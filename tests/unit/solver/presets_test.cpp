@@ -62,7 +62,7 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
 }
 
 TEST(PresetTrial, TriesMultigridAndComesBack) {
-  PresetTrial trial({50, 0.6});
+  PresetTrial trial({50, 0.6, 8});
   for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 100));  // 50 are not too many
   EXPECT_FALSE(trial.turns(9, 900));                                        // not enough to go by
   EXPECT_TRUE(trial.turns(1, 100));
