@@ -83,8 +83,13 @@ class Numbers:
         return table([HEAD[column] for column in shown], [[row[column] for column in shown] for row in rows])
 
     def grids(self, name):
-        """The table of a section on all grids."""
-        rows = [[labelled(quantity), *(self.value(quantity, grid) for grid in paper_runs.GRIDS), self.limit(quantity)]
+        """The table of a section on all grids; blank where the page does not want a number."""
+        def cell(quantity, grid):
+            entries = [paper_runs.TABLE[run] for run in quantity.runs]
+            wanted = all(grid in entry.page and entry.end_time(grid) >= quantity.until for entry in entries)
+            return self.value(quantity, grid) if wanted else ""
+
+        rows = [[labelled(quantity), *(cell(quantity, grid) for grid in paper_runs.GRIDS), self.limit(quantity)]
                 for quantity in self.by_key.values() if quantity.section == name]
         return table(["what", *paper_runs.GRIDS, "extrapolated"], rows)
 

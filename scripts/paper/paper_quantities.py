@@ -23,7 +23,7 @@ import scree_output
 import scree_quantities
 import starts
 from plot_bin_discharge import DEPTH_TIMES
-from scree_work_precision import CORRECTION_DOUBT, Series
+from scree_work_precision import CORRECTION_DOUBT, ORDER_RANGE, Series, extrapolated
 
 EARLY, PLATEAU, FINE = (0.3, 0.5), (1.0, 2.0), TABLE["fine_air"].window  # [s]
 NU, CHI, P_G = "solids_fraction", "frictional_pressure_ratio", "gas_pressure"
@@ -406,10 +406,14 @@ class Values:
         if len(finest) < 2 or not quantity.grids:
             return None
         sizes = [self.cell_size(quantity, grid) for grid in finest]
-        value, order, regular = Series("upwind", sizes, [np.array([values[grid]]) for grid in finest]).limit()
+        columns = [np.array([values[grid]]) for grid in finest]
+        value, order, regular = Series("upwind", sizes, columns).limit()
         correction = abs(value[0] - values[finest[0]])
         # As scree_work_precision.grid_reference: part of the correction, all of it where the order is not seen.
-        return Limit(float(value[0]), correction * (CORRECTION_DOUBT if regular else 1), order, regular, len(finest))
+        doubt = correction * (CORRECTION_DOUBT if regular else 1)
+        if regular and order in ORDER_RANGE:  # what the grids show lies beyond: they are not fine enough to go by it
+            doubt = max(doubt, abs(value[0] - extrapolated(sizes, columns, 1.0)[0]))
+        return Limit(float(value[0]), float(doubt), order, regular, len(finest))
 
     def keep(self):
         self.file.parent.mkdir(parents=True, exist_ok=True)

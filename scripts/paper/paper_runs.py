@@ -52,7 +52,7 @@ class Entry:
     window: tuple = ()
     interval: float = 0.0  # between fields [s]
     cpu: tuple = ((0.0, 0.0),)  # of the paper's grid on 2 ranks: (t, CPU seconds up to t), beyond by the last slope
-    page: tuple = ("paper",)  # grids on which the page needs it
+    page: tuple = ("coarse", "paper")  # grids on which the page needs it
 
     def case(self, grid):
         return CASES / (self.coarse if grid == "coarse" else self.paper)
@@ -98,7 +98,7 @@ BUBBLE = dict(interval=0.02, end={"": 0.5}, window=(0.5, 0.5), page=("coarse", "
 SIX_MM = {"grid_x_cells": {"coarse": "2, 10", "paper": None}, "grid_y_cells": {"coarse": "67, 50", "paper": None}}
 EQUILIBRIUM = {"initial_fill_profile": "equilibrium", "initial_fill_surface": "105 cm",
                "initial_fill_janssen_width": "8 cm"}
-FINE = dict(interval=0.05, end={"": 1.2}, window=(0.6, 1.2), page=("coarse", "paper"))
+FINE = dict(interval=0.05, end={"": 1.2}, window=(0.6, 1.2))
 
 
 def scaled(factor, points):
