@@ -13,8 +13,7 @@ void declare_solver(OptionSet& o, Case& scene) {
                 {"fieldsplit", SolverPreset::fieldsplit}},
                "named set of PETSc options for the linear systems")
           .default_from(
-              "ilu, with gas fieldsplit; then multigrid where they take more than 15, with gas 50, iterations a linear "
-              "system and multigrid less than .75, .6 of them")
+              "ilu, with gas fieldsplit; on the way multigrid where that takes much fewer iterations, see README.md")
           .given;
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");

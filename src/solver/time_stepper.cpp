@@ -136,9 +136,13 @@ PetscErrorCode TimeStepper::make_preconditioner_anew() {
   SNES snes;
   KSP ksp;
   PC pc;
+  PetscInt lag;
+  PetscBool lag_chosen;
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PetscOptionsGetInt(nullptr, nullptr, "-snes_lag_preconditioner", &lag, &lag_chosen));
+  if (lag_chosen) PetscCall(SNESSetLagPreconditioner(snes, lag));
   PetscCall(PCSetType(pc, PCNONE));  // a type that is set again keeps the solvers inside as they are
   PetscCall(KSPSetFromOptions(ksp));
   PetscCall(renew_preconditioner());
@@ -175,15 +179,11 @@ PetscErrorCode TimeStepper::renew_preconditioner() {
   PetscFunctionBeginUser;
   SNES snes;
   KSP ksp;
-  PetscInt lag;
   PetscBool chosen, alone;  // a preconditioner that is the whole solver: an old one would make Newton linear
+  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_lag_preconditioner", &chosen));
+  if (chosen) PetscFunctionReturn(0);
   PetscCall(TSGetSNES(ts_, &snes));
   PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(PetscOptionsGetInt(nullptr, nullptr, "-snes_lag_preconditioner", &lag, &chosen));
-  if (chosen) {
-    PetscCall(SNESSetLagPreconditioner(snes, lag));
-    PetscFunctionReturn(0);
-  }
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp), KSPPREONLY, &alone));
   PetscCall(SNESSetLagPreconditioner(snes, alone ? 1 : -2));  // -2: once, then not again
   fresh_krylov_ = -1;

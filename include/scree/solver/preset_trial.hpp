@@ -6,12 +6,12 @@
 namespace scree {
 
 /// The cheaper preset depends on more than the size. Without gas `ilu` is the cheaper one while it takes few iterations
-/// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on 2 ranks, takes 6 of them, multigrid 5.6 and 1.6
-/// times the time. In the plateau it takes 29, multigrid 15 and three quarters of the time; on one rank 20 and 17, and
-/// less time than multigrid. With gas the bubbling bed takes 2.5 with `fieldsplit`, in two thirds of the time that
-/// multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4 times the time, multigrid 12. So where the first
-/// preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first comes back,
-/// each time for twice as long.
+/// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on one rank, takes 5.2 of them, multigrid 5.1
+/// and 1.4 times the time. In the plateau, from 2 to 2.2 s, it takes 22, multigrid 18 and 1.6 times the time; on two
+/// ranks, where aggregates are others, 23 and 14, and multigrid .94 of the time. With gas the bubbling bed takes 2.5
+/// with `fieldsplit`, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4
+/// times the time, multigrid 12. So where the first preset takes many, multigrid is tried. Where that does not pay, as
+/// in beds packed to nu_max, the first comes back, each time for twice as long.
 class PresetTrial {
  public:
   struct Rule {

@@ -62,7 +62,7 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
 }
 
 TEST(PresetTrial, TriesMultigridAndComesBack) {
-  PresetTrial trial({50, 0.6, 8});
+  PresetTrial trial(PresetTrial::with_gas);
   for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 100));  // 50 are not too many
   EXPECT_FALSE(trial.turns(9, 900));                                        // not enough to go by
   EXPECT_TRUE(trial.turns(1, 100));
@@ -74,6 +74,33 @@ TEST(PresetTrial, TriesMultigridAndComesBack) {
   for (int step = 0; step < 15; ++step) EXPECT_FALSE(trial.turns(10, 1000));  // fieldsplit has its time
   EXPECT_TRUE(trial.turns(10, 1000));
   EXPECT_TRUE(trial.multigrid());
+}
+
+/// As steps grow ILU takes ever more: it is asked again soon, each time for twice as long.
+TEST(PresetTrial, AsksIluAgainSoonWithoutGas) {
+  PresetTrial trial(PresetTrial::without_gas);
+  EXPECT_FALSE(trial.turns(10, 150));
+  EXPECT_TRUE(trial.turns(10, 160));
+  EXPECT_FALSE(trial.turns(10, 120));  // it pays
+  EXPECT_TRUE(trial.turns(10, 130));
+  EXPECT_FALSE(trial.turns(19, 600));
+  EXPECT_TRUE(trial.turns(1, 20));  // 31 an iteration
+  EXPECT_FALSE(trial.turns(10, 230));
+  EXPECT_TRUE(trial.turns(10, 240));
+  EXPECT_FALSE(trial.turns(39, 1200));
+  EXPECT_TRUE(trial.turns(1, 30));
+  EXPECT_TRUE(trial.multigrid());
+}
+
+/// What a checkpoint keeps is all that decides.
+TEST(PresetTrial, GoesOnFromItsState) {
+  PresetTrial trial(PresetTrial::without_gas), again(PresetTrial::without_gas);
+  trial.turns(10, 160);
+  trial.turns(9, 110);
+  again.state() = trial.state();
+  EXPECT_TRUE(again.multigrid());
+  EXPECT_TRUE(trial.turns(1, 15));
+  EXPECT_TRUE(again.turns(1, 15));
 }
 
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
