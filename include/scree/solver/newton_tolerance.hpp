@@ -6,8 +6,8 @@
 namespace scree {
 
 /// Residual per unknown, in units of the scales, at which Newton's method stops: a share of the error that a step may
-/// make, loose where the steps before went well, tight for some steps after a failed one, and for twice as many after
-/// each that follows. What a loose solution leaves in the velocities is noise in strain rates, which beds of little T,
+/// make, loose where the steps before went well, tight for some steps after a failed one, and for twice as many if
+/// loose steps failed within as many. What a loose solution leaves in the velocities is noise in strain rates, which beds of little T,
 /// with stresses of the sign of the strain rate alone, answer with hundreds of failed steps; elsewhere it saves a third
 /// of the iterations.
 struct NewtonTolerance {
@@ -23,12 +23,17 @@ struct NewtonTolerance {
   double residual(double accuracy) const { return std::min((calm < wait ? tight : loose) * accuracy, most); }
   /// How far off a single unknown may be where particles are few [scales].
   static double dilute(double accuracy) { return std::min(3 * accuracy, most_dilute); }
-  void failed() { calm = 0; }  ///< an attempt; the next one of the same step is to do better
+  /// An attempt; the next one of the same step is to do better. A tight one that fails says nothing of loose ones.
+  void failed() {
+    if (calm >= wait) wait = calm < 2 * wait ? std::min(2 * wait, most_wait) : least_wait;
+    calm = 0;
+  }
   /// After the step, of which `failed_before` says whether it took several attempts.
   void step_done(bool failed_before) {
-    if (failed_before) wait = std::min(2 * wait, most_wait);
-    calm = failed_before ? 0 : calm + 1;
-    if (calm == 4 * wait) wait = least_wait;
+    if (failed_before)
+      failed();
+    else
+      ++calm;
   }
 };
 
