@@ -118,9 +118,13 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
-  trial_.state() = {saved.scalar("trial_multigrid", 0) > 0, static_cast<int>(saved.scalar("trial_newton", 0)),
+  trial_.state() = {saved.scalar("trial_multigrid", 0) > 0,
+                    static_cast<int>(saved.scalar("trial_newton", 0)),
                     static_cast<int>(saved.scalar("trial_krylov", 0)),
-                    static_cast<int>(saved.scalar("trial_returns", 0)), saved.scalar("trial_with_first", 0)};
+                    static_cast<int>(saved.scalar("trial_returns", 0)),
+                    static_cast<int>(saved.scalar("trial_windows", 0)),
+                    saved.scalar("trial_with_first", 0),
+                    saved.scalar("trial_with_multigrid", 0)};
   if (!scene_.solver.preset_given && trial_.multigrid()) apply_solver_preset(SolverPreset::multigrid);
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
@@ -297,7 +301,9 @@ void Simulation::write_checkpoint() {
                            {"trial_newton", trial.newton},
                            {"trial_krylov", trial.krylov},
                            {"trial_returns", trial.returns},
+                           {"trial_windows", trial.windows},
                            {"trial_with_first", trial.with_first},
+                           {"trial_with_multigrid", trial.with_multigrid},
                            {"steps", totals_.steps},
                            {"newton", totals_.newton},
                            {"krylov", totals_.krylov},

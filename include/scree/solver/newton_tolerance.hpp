@@ -1,4 +1,4 @@
-/// How exactly Newton's method solves a step.
+/// How exactly Newton's method solves a step, and when it gives up.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@ namespace scree {
 
 /// Residual per unknown, in units of the scales, at which Newton's method stops: a share of the error that a step may
 /// make, loose where the steps before went well, tight for some steps after a failed one, and for twice as many if
-/// loose steps failed within as many. What a loose solution leaves in the velocities is noise in strain rates, which beds of little T,
-/// with stresses of the sign of the strain rate alone, answer with hundreds of failed steps; elsewhere it saves a third
-/// of the iterations.
+/// loose steps failed within as many. What a loose solution leaves in the velocities is noise in strain rates, which
+/// beds of little T, with stresses of the sign of the strain rate alone, answer with hundreds of failed steps;
+/// elsewhere it saves a third of the iterations.
 struct NewtonTolerance {
   static constexpr double tight = 1e-3, loose = 3e-2;
   static constexpr double most = 3e-4;  ///< however loose: nu of the emptiest cells would turn negative
@@ -34,6 +34,25 @@ struct NewtonTolerance {
       failed();
     else
       ++calm;
+  }
+};
+
+/// Whether Newton's method will not come to an end: few of those that wander get there within the iterations that PETSc
+/// allows, and a shorter step costs less than these.
+struct NewtonProgress {
+  static constexpr int most_in_vain = 5;  ///< iterations that leave the best residual what it is
+  static constexpr double most_growth = 10;
+
+  int best = 0;  ///< iteration of the least residual so far
+  double least = 0;
+
+  /// With the residual of an iteration, 0 at the first guess.
+  bool is_lost(int iteration, double residual) {
+    if (iteration == 0 || residual < least) {
+      best = iteration;
+      least = residual;
+    }
+    return iteration > 3 && (iteration - best >= most_in_vain || residual > most_growth * least);
   }
 };
 

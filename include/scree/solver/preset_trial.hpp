@@ -10,27 +10,32 @@ namespace scree {
 /// and 1.4 times the time. In the plateau, from 2 to 2.2 s, it takes 22, multigrid 18 and 1.6 times the time; on two
 /// ranks, where aggregates are others, 23 and 14, and multigrid .94 of the time. With gas the bubbling bed takes 2.5
 /// with `fieldsplit`, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4
-/// times the time, multigrid 12. So where the first preset takes many, multigrid is tried. Where that does not pay, as
-/// in beds packed to nu_max, the first comes back, each time for twice as long.
+/// times the time, multigrid 12; the 100 um bin, from .8 to .83 s, 100 and 4.4 times the time, multigrid 22. So where
+/// the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first
+/// comes back, until it takes so many that multigrid, by what it took, would pay, or for a while, each time twice as
+/// long.
 class PresetTrial {
  public:
   struct Rule {
     double many;    ///< Krylov iterations a linear system with the first preset, above which multigrid is tried
     double paying;  ///< of them, up to which multigrid is kept
-    int patience;   ///< with which the first preset is given time after its return, growing
+    int patience;   ///< windows after which multigrid is tried again though it did not pay, growing with each return
   };
   /// ilu: one iteration of multigrid costs twice as much, but its set-up serves a whole step.
-  /// As steps grow with the plateau, what it took when it was left says less and less: it is soon asked again.
-  static constexpr Rule without_gas{15, 0.75, 1};
-  /// fieldsplit: one iteration of multigrid costs 2.5 times as much, but the steps that it allows are longer.
-  static constexpr Rule with_gas{50, 0.6, 8};
+  /// As steps grow with the plateau, what multigrid took says less and less: it is soon asked again.
+  static constexpr Rule without_gas{15, 0.75, 2};
+  /// fieldsplit: one iteration of multigrid costs 2.4 times as much, its set-up included. In a bed that packs to nu_max
+  /// it fails twenty times as many steps: it is seldom asked again.
+  static constexpr Rule with_gas{70, 0.5, 16};
+  static constexpr int window = 10;  ///< Newton iterations for a decision
 
   /// What a checkpoint has to hold.
   struct State {
     bool multigrid = false;
-    int newton = 0, krylov = 0;  ///< since the last decision
-    int returns = 0;
-    double with_first = 0;  ///< iterations a linear system when the first preset was left
+    int newton = 0, krylov = 0;    ///< of the window so far
+    int returns = 0, windows = 0;  ///< to the first preset, and with it since the last of them
+    double with_first = 0;         ///< iterations a linear system when the first preset was left
+    double with_multigrid = 0;     ///< ... and when multigrid was
   };
 
   explicit PresetTrial(Rule rule) : rule_(rule) {}
@@ -39,16 +44,15 @@ class PresetTrial {
   bool turns(int newton, int krylov) {
     state_.newton += newton;
     state_.krylov += krylov;
-    if (state_.newton < enough()) return false;
+    if (state_.newton < window) return false;
     iterations_ = static_cast<double>(state_.krylov) / state_.newton;
     state_.newton = state_.krylov = 0;
-    const bool turn = state_.multigrid ? iterations_ > rule_.paying * state_.with_first : iterations_ > rule_.many;
-    if (!turn) return false;
-    if (state_.multigrid)
-      ++state_.returns;
-    else
-      state_.with_first = iterations_;
+    ++state_.windows;
+    if (state_.multigrid ? multigrid_pays() : !multigrid_may_pay()) return false;
+    (state_.multigrid ? state_.with_multigrid : state_.with_first) = iterations_;
+    state_.returns += state_.multigrid ? 1 : 0;
     state_.multigrid = !state_.multigrid;
+    state_.windows = 0;
     return true;
   }
 
@@ -58,10 +62,12 @@ class PresetTrial {
   State& state() { return state_; }
 
  private:
-  /// Newton iterations for a decision.
-  int enough() const {
-    const bool again = !state_.multigrid && state_.returns > 0;
-    return again ? 10 * rule_.patience << std::min(state_.returns, 9) : 10;
+  bool multigrid_pays() const { return iterations_ <= rule_.paying * state_.with_first; }
+  /// After a return only if the first preset takes more now than it did, or after a while.
+  bool multigrid_may_pay() const {
+    if (iterations_ <= rule_.many) return false;
+    return state_.returns == 0 || state_.with_multigrid < rule_.paying * iterations_ ||
+           state_.windows >= rule_.patience << std::min(state_.returns - 1, 9);
   }
 
   Rule rule_;
