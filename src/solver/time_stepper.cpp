@@ -282,7 +282,7 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
     PetscCall(self.remainder_is_small(snes, &small));
     if (!small) *reason = SNES_CONVERGED_ITERATING;
   }
-  if (self.best_.is_lost(iteration, f_norm) && *reason == SNES_CONVERGED_ITERATING) *reason = SNES_DIVERGED_DTOL;
+  if (self.progress_.is_lost(iteration, f_norm) && *reason == SNES_CONVERGED_ITERATING) *reason = SNES_DIVERGED_DTOL;
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
   self.problem_.keep_jacobian(!self.jacobian_tested_ && iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&

@@ -111,7 +111,7 @@ class TimeStepper {
   PetscBool jacobian_tested_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
   PetscInt fresh_krylov_ = -1;  ///< iterations of the first system that the preconditioner solved; -1: none yet
   double last_norm_ = 0;        ///< residual of Newton's iteration before
-  NewtonProgress best_;
+  NewtonProgress progress_;
 };
 
 }  // namespace scree
