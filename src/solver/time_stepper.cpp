@@ -277,12 +277,13 @@ PetscErrorCode TimeStepper::converged(SNES snes, PetscInt iteration, PetscReal x
   PetscFunctionBeginUser;
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
   auto& self = *static_cast<TimeStepper*>(stepper);
+  const bool lost = self.progress_.is_lost(iteration, f_norm);
+  if (*reason == SNES_CONVERGED_ITERATING && lost) *reason = SNES_DIVERGED_DTOL;
   if (*reason > 0 && iteration > 0) {
     bool small;
     PetscCall(self.remainder_is_small(snes, &small));
     if (!small) *reason = SNES_CONVERGED_ITERATING;
   }
-  if (self.progress_.is_lost(iteration, f_norm) && *reason == SNES_CONVERGED_ITERATING) *reason = SNES_DIVERGED_DTOL;
   double tolerance;
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
   self.problem_.keep_jacobian(!self.jacobian_tested_ && iteration > 0 && f_norm < kept_reduction * self.last_norm_ &&
