@@ -190,7 +190,8 @@ def grid_reference(rows, quantity, usual):
 
     Richardson's extrapolation of the advection scheme that it moves least; if its order is irregular the mean of the
     schemes' extrapolations. Uncertain by half the distance of the schemes' extrapolations, at least CORRECTION_DOUBT of
-    the correction, plus what the steps in time of these runs make."""
+    the correction, where the order was clipped at least the distance to order 1, plus what the steps in time of these
+    runs make."""
     rows = finest_family(plain(rows, usual))
     accuracy = reference_accuracy(rows)
     series = grid_series(rows, quantity, accuracy) if accuracy else []
@@ -205,7 +206,8 @@ def grid_reference(rows, quantity, usual):
     spread = max(size(limit[0] - value) for limit in limits) / 2
     irregular = "orders irregular" if len(one.sizes) > 2 else "two grids only, order 1 assumed"
     if regular:
-        doubt, how = max(spread, CORRECTION_DOUBT * correction), f"{one.advection}, order {order:.2f}"
+        clipped = size(extrapolated(one.sizes, one.values, 1.0) - value) if order in ORDER_RANGE else 0.0
+        doubt, how = max(spread, CORRECTION_DOUBT * correction, clipped), f"{one.advection}, order {order:.2f}"
     elif len(limits) > 1:
         value = np.mean([limit[0] for limit in limits], axis=0)
         doubt, how = max(spread, CORRECTION_DOUBT * correction), f"{irregular}: mean of the schemes"

@@ -64,6 +64,14 @@ reference = work_precision.add_errors(swinging, usual)["rate"]
 checks.close("irregular: mean of the extrapolations 98 and 101", float(reference.value[0]), 99.5, absolute=1e-9)
 checks.close("irregular: half of their distance", reference.doubt * 99.5, 1.5, absolute=1e-9)
 
+# Order 3, clipped to 2: doubtful by the distance to order 1.
+cubic = [row(grid) for grid in SIZES]
+for one, value in zip(cubic, (100 + 64, 100 + 8, 100 + 1)):
+    one.values = {"rate": np.array([float(value)])}
+reference = work_precision.add_errors(cubic, usual)["rate"]
+checks.close("clipped order: value", float(reference.value[0]), 101 - 7 / 3, absolute=1e-9)
+checks.close("clipped order: uncertainty", reference.doubt * float(reference.value[0]), 7 - 7 / 3, absolute=1e-9)
+
 # Smallest cells.
 checks.close("smallest cell: equal ones", speed_against_error.first_or_last(6, 3, 1), 2, absolute=1e-12)
 checks.close("smallest cell: 1, 2, 4", speed_against_error.first_or_last(7, 3, 4), 1, absolute=1e-12)
