@@ -149,16 +149,16 @@ def plain(rows, usual):
             if all(getattr(row.setting, name) == getattr(usual, name) for name in same)]
 
 
-def finest_family(rows):
-    """The rows of the family of grids that has the smallest cells: others have other factors of their errors. One of two
-    grids, which shows no order, stands back behind one of three."""
-    families = {}
+def families(rows):
+    """Lists of the rows of each family of two grids or more, each with other factors of its errors, the one with the
+    smallest cells first. One of two grids, which shows no order, stands back behind those of three."""
+    groups = {}
     for row in rows:
-        families.setdefault(row.family, []).append(row)
-    grids = {name: len({row.setting.grid for row in group}) for name, group in families.items()}
+        groups.setdefault(row.family, []).append(row)
+    grids = {name: len({row.setting.grid for row in group}) for name, group in groups.items()}
     several = [name for name, count in grids.items() if count > 1]
-    best = min(several, key=lambda name: (-min(grids[name], 3), min(row.cell_size for row in families[name])), default=None)
-    return families.get(best, [])
+    several.sort(key=lambda name: (-min(grids[name], 3), min(row.cell_size for row in groups[name])))
+    return [groups[name] for name in several]
 
 
 def reference_accuracy(rows):
@@ -186,13 +186,39 @@ def grid_series(rows, quantity, accuracy):
 
 
 def grid_reference(rows, quantity, usual):
-    """The value without error of grid, or None where there are fewer than two grids.
+    """The value without error of grid, or None where there are fewer than two grids: that of the family of grids with the
+    smallest cells. Another family of three grids that contradicts it, farther off than both are uncertain by, is as
+    likely: then the mean of both, uncertain by half their distance more."""
+    groups = families(plain(rows, usual))
+    found = [family_reference(group, quantity) for group in groups]
+    best = found[0] if found else None
+    for other, group in zip(found[1:], groups[1:]):
+        if best and other and len({row.setting.grid for row in group}) > 2 and contradicts(best, other):
+            best = mean_of(best, other)
+    return best
+
+
+def absolute_doubt(reference):
+    return reference.doubt * size(reference.value)
+
+
+def contradicts(one, other):
+    return size(one.value - other.value) > absolute_doubt(one) + absolute_doubt(other)
+
+
+def mean_of(one, other):
+    value = (one.value + other.value) / 2
+    doubt = size(one.value - other.value) / 2 + max(absolute_doubt(one), absolute_doubt(other))
+    return Reference(value, doubt / size(value), one.order, f"mean of two families of grids: {one.how}, and {other.how}")
+
+
+def family_reference(rows, quantity):
+    """The value without error of grid that a family of grids leads to.
 
     Richardson's extrapolation of the advection scheme that it moves least; if its order is irregular the mean of the
     schemes' extrapolations. Uncertain by half the distance of the schemes' extrapolations, at least CORRECTION_DOUBT of
     the correction, where the order was clipped at least the distance to order 1, plus what the steps in time of these
     runs make."""
-    rows = finest_family(plain(rows, usual))
     accuracy = reference_accuracy(rows)
     series = grid_series(rows, quantity, accuracy) if accuracy else []
     if not series:
@@ -214,7 +240,7 @@ def grid_reference(rows, quantity, usual):
     else:
         doubt, how = correction, f"{one.advection}, {irregular}"
     doubt += time_part(rows, quantity, accuracy, one.advection)
-    how += f"; finest cells {finest:.2g} cm, accuracy {accuracy:g}"
+    how += f"; {rows[0].family} cells down to {finest:.2g} cm, accuracy {accuracy:g}"
     return Reference(value, doubt / size(value) if size(value) else math.nan, order, how)
 
 

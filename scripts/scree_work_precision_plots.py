@@ -107,11 +107,13 @@ def curve(axes, group, kind, name, doubt, text):
     axes.plot([row.cost["cpu_s"] for row in group], [per_cent(row.error(kind, name)) for row in group],
               LINES[setting.advection], color=COLOURS[setting.advection], zorder=2,
               linewidth=1.3 if group[0].family == "uniform" else 2.6)
-    place = (5, 5 if setting.advection == "upwind" else -12)
+    place, align = (5, 5 if setting.advection == "upwind" else -12), "left"
+    if group[0].family == "steep":  # its curve lies below those of the others
+        place, align = (-6, -12), "right"
     for row in group:
         error = row.error(kind, name)
         point(axes, row, error, doubt, 6.5)
-        axes.annotate(text(row), (row.cost["cpu_s"], per_cent(error)), xytext=place, textcoords="offset points",
+        axes.annotate(text(row), (row.cost["cpu_s"], per_cent(error)), xytext=place, ha=align, textcoords="offset points",
                       fontsize=8.5, color=COLOURS[setting.advection])
 
 
@@ -129,7 +131,10 @@ def draw_total(rows, references, usual, case):
             if row not in on_curve and math.isfinite(row.error("total", name)):
                 point(axes, row, row.error("total", name), doubt, 3)
         labelled = set()
-        for group in by_curve(on_curve, "advection", "time_scheme").values():
+        axes.margins(x=0.15)
+        # upwind and beuler first: these are labelled
+        for _, group in sorted(by_curve(on_curve, "advection", "time_scheme").items(),
+                               key=lambda item: (item[0][0], list(MARKERS).index(item[0][1]))):
             group = sorted(group, key=lambda row: -row.cell_size)
             curve(axes, group, "total", name, doubt, lambda row: grid_label(row, labelled))
         band(axes, doubt)
@@ -138,11 +143,10 @@ def draw_total(rows, references, usual, case):
 
 
 def grid_label(row, labelled):
-    """The grid, once for each advection scheme: the time schemes lie close together."""
-    key = row.setting.grid, row.setting.advection
-    if key in labelled:
+    """The grid, once: the schemes lie close together."""
+    if row.setting.grid in labelled:
         return ""
-    labelled.add(key)
+    labelled.add(row.setting.grid)
     return row.setting.grid
 
 

@@ -40,24 +40,28 @@ STRAIN_RATE_FLOOR = 10  # [1/s], which algebraic T needs
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells of the blocks of half the domain along x and y, what -grid_refine multiplies them with, and the ratios of
-    last to first cell of the blocks, where they are not all of one size."""
+    """Cells of the blocks of half the domain along x and y, what -grid_refine multiplies them with, the ratios of last
+    to first cell of the blocks, where they are not all of one size, and the lengths of the blocks along y [cm], where
+    they are not those of the scene. Grids of one family refine one another."""
 
     x: tuple
     y: tuple
     refine: int = 1
     x_ratio: tuple = ()
     y_ratio: tuple = ()
-
-    @property
-    def family(self):
-        return "graded" if self.x_ratio else "uniform"
+    y_blocks: tuple = ()
+    family: str = "uniform"
 
     def smallest_cell(self, blocks):
-        """Root of the area of the smallest cell; blocks: lengths of the blocks along x and y."""
-        smallest = [min(itertools.starmap(first_or_last, zip(lengths, cells, ratios or (1,) * len(cells))))
-                    for lengths, cells, ratios in zip(blocks, self.all_cells, (self.x_ratio, self.y_ratio))]
+        """Root of the area of the smallest cell; blocks: lengths of the scene's blocks along x and y."""
+        lengths = blocks[0], self.y_blocks or blocks[1]
+        smallest = [min(itertools.starmap(first_or_last, zip(length, cells, ratios or (1,) * len(cells))))
+                    for length, cells, ratios in zip(lengths, self.all_cells, (self.x_ratio, self.y_ratio))]
         return math.prod(smallest) ** 0.5
+
+    def y_edges(self, blocks):
+        """Edges of the blocks along y, as an option of the program."""
+        return ", ".join(f"{edge:g} cm" for edge in itertools.accumulate(self.y_blocks or blocks[1], initial=0))
 
     @property
     def all_cells(self):
@@ -113,10 +117,16 @@ BIN_GRIDS = {"4 mm": Grid((2, 8), (7, 125)), "2 mm": Grid((4, 16), (13, 250)), "
 
 def graded(refine):
     """Fine at the lip of the orifice, where the errors of the rate come from; named by the width of its cells."""
-    return Grid((3, 5), (7, 80), refine, (1 / 6, 25), (0.08, 30))
+    return Grid((3, 5), (7, 80), refine, (1 / 6, 25), (0.08, 30), family="graded")
 
 
-GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4)}
+def steep(refine):
+    """Finer still at the lip, by steeper grading, with coarser cells in the bed; the case's own at 2."""
+    return Grid((5, 7), (8, 20, 25), refine, (0.04, 100), (0.03, 25, 4), (5, 8, 92), "steep")
+
+
+GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4),
+                "0.2 mm steep": steep(1), "0.1 mm steep": steep(2), "0.05 mm steep": steep(4)}
 BIN = dict(
     usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), blocks=((0.7, 3.3), (5, 100)), read=scree_quantities.bin_quantities,
     full_width={
@@ -214,6 +224,7 @@ def options(scene, setting, end_time):
     x = (*grid.x[:0:-1], 2 * grid.x[0], *grid.x[1:]) if full else grid.x
     result = {
         "grid_x_cells": ", ".join(map(str, x)), "grid_y_cells": ", ".join(map(str, grid.y)), "grid_refine": grid.refine,
+        "grid_y_edges": grid.y_edges(scene.blocks),
         "advection": setting.advection, "time_scheme": setting.time_scheme, "accuracy": setting.accuracy,
         "time_step_max": setting.time_step_max, "friction_model": setting.friction_model,
         "granular_temperature": setting.granular_temperature, "gas": setting.gas,

@@ -47,14 +47,22 @@ checks.equal("order 3 is clipped", work_precision.observed_order(sizes, [np.arra
 swing = [np.array([value]) for value in (1.0, 2.0, 1.0)]
 checks.equal("a value that swings has no order", work_precision.observed_order(sizes, swing)[1], False)
 
-# Two families of grids: the one with the smallest cells is extrapolated, alone.
-graded = [Row(Setting(f"{size} graded"), size, {"cpu_s": 1.0}, {"rate": np.array([90 * (1 + 0.3 * size)]),
-                                                               "profile": PROFILE}, "graded")
-          for size in (0.08, 0.04, 0.02)]
-reference = work_precision.add_errors([row(grid) for grid in SIZES] + graded, usual)["rate"]
-checks.close("families: that of the smallest cells", float(reference.value[0]), 90, relative=1e-6)
-reference = work_precision.add_errors([row(grid) for grid in SIZES] + graded[1:], usual)["rate"]
+# Two families of grids: the one with the smallest cells is extrapolated, alone, unless a family of three grids contradicts.
+def graded_rows(exact, sizes, slope):
+    return [Row(Setting(f"{size} graded"), size, {"cpu_s": 1.0},
+                {"rate": np.array([exact * (1 + slope * size)]), "profile": PROFILE}, "graded") for size in sizes]
+
+
+uniform = [row(grid) for grid in SIZES]  # upwind alone: its correction leaves it uncertain
+alone = work_precision.add_errors(uniform, usual)["rate"]
+reference = work_precision.add_errors(uniform + graded_rows(99, (0.08, 0.04, 0.02), 0.3), usual)["rate"]
+checks.close("families: that of the smallest cells", float(reference.value[0]), 99, relative=1e-6)
+reference = work_precision.add_errors(uniform + graded_rows(99, (0.04, 0.02), 0.3), usual)["rate"]
 checks.close("families: two grids stand back behind three", float(reference.value[0]), EXACT, relative=1e-6)
+reference = work_precision.add_errors(uniform + graded_rows(60, (0.08, 0.04, 0.02), 0.003), usual)["rate"]
+checks.close("families that contradict each other: their mean", float(reference.value[0]), 80, relative=1e-6)
+checks.close("families that contradict each other: half the distance and the doubt of the worse",
+             reference.doubt * float(reference.value[0]), 20 + alone.doubt * float(alone.value[0]), relative=1e-6)
 
 # Irregular orders: the mean of the schemes.
 swinging = [row(grid, advection) for advection in ORDERS for grid in SIZES]
