@@ -23,7 +23,7 @@ SCENES = {
     "bin_plateau": ("cases/bin_discharge/coarse.yaml", 0.45, (1, 2, 4, 8)),
     "bin_start": ("cases/bin_discharge/coarse.yaml", 0.02, (1, 2)),
     "fine_bin_air": ("cases/bin_discharge_fine/case.yaml", 0.6, (1, 2)),
-    "bubble": ("cases/bubble_rise/case.yaml", 0.3, (1, 2)),
+    "bubble": ("cases/bubble_rise/paper.yaml", 0.3, (1, 2)),
     "bin_3d": ("tests/benchmark/bin_3d.yaml", 0.15, (1, 2)),
 }
 RANK_SCENES = ("bin_plateau", "fine_bin_air")

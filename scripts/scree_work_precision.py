@@ -189,8 +189,9 @@ def grid_reference(rows, quantity, usual):
     """The value without error of grid, or None where there are fewer than two grids: that of the family of grids with the
     smallest cells. Another family of three grids that contradicts it, farther off than both are uncertain by, is as
     likely: then the mean of both, uncertain by half their distance more."""
-    groups = families(plain(rows, usual))
-    found = [family_reference(group, quantity) for group in groups]
+    rows = plain(rows, usual)
+    groups = families(rows)
+    found = [family_reference(group, quantity, rows) for group in groups]
     best = found[0] if found else None
     for other, group in zip(found[1:], groups[1:]):
         if best and other and len({row.setting.grid for row in group}) > 2 and contradicts(best, other):
@@ -212,13 +213,13 @@ def mean_of(one, other):
     return Reference(value, doubt / size(value), one.order, f"mean of two families of grids: {one.how}, and {other.how}")
 
 
-def family_reference(rows, quantity):
+def family_reference(rows, quantity, all_rows):
     """The value without error of grid that a family of grids leads to.
 
     Richardson's extrapolation of the advection scheme that it moves least; if its order is irregular the mean of the
     schemes' extrapolations. Uncertain by half the distance of the schemes' extrapolations, at least CORRECTION_DOUBT of
-    the correction, where the order was clipped at least the distance to order 1, plus what the steps in time of these
-    runs make."""
+    the correction, where the order was clipped at least the distance to order 1, plus what the steps in time make,
+    seen on any family."""
     accuracy = reference_accuracy(rows)
     series = grid_series(rows, quantity, accuracy) if accuracy else []
     if not series:
@@ -239,7 +240,7 @@ def family_reference(rows, quantity):
         doubt, how = max(spread, CORRECTION_DOUBT * correction), f"{irregular}: mean of the schemes"
     else:
         doubt, how = correction, f"{one.advection}, {irregular}"
-    doubt += time_part(rows, quantity, accuracy, one.advection)
+    doubt += time_part(all_rows, quantity, accuracy, one.advection)
     how += f"; {rows[0].family} cells down to {finest:.2g} cm, accuracy {accuracy:g}"
     return Reference(value, doubt / size(value) if size(value) else math.nan, order, how)
 

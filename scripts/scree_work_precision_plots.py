@@ -98,7 +98,7 @@ def by_curve(rows, *names):
     return groups
 
 
-def curve(axes, group, kind, name, doubt, text):
+def curve(axes, group, kind, name, doubt, text, below=False):
     """Points of a group joined by its line in their order, each with what `text` says of it."""
     group = [row for row in group if math.isfinite(row.error(kind, name))]
     if not group:
@@ -108,7 +108,7 @@ def curve(axes, group, kind, name, doubt, text):
               LINES[setting.advection], color=COLOURS[setting.advection], zorder=2,
               linewidth=1.3 if group[0].family == "uniform" else 2.6)
     place, align = (5, 5 if setting.advection == "upwind" else -12), "left"
-    if group[0].family == "steep":  # its curve lies below those of the others
+    if below:
         place, align = (-6, -12), "right"
     for row in group:
         error = row.error(kind, name)
@@ -125,18 +125,20 @@ def draw_total(rows, references, usual, case):
     same = [row for row in rows if row.setting.model == usual.model and not row.setting.solver and row.setting.ranks == 1]
     on_curve = [row for row in same if row.setting.accuracy == usual.accuracy
                 and row.setting.time_step_max == usual.time_step_max]
+    finest = min(on_curve, key=lambda row: row.cell_size).family
+    lowest = finest if finest != "uniform" else None  # graded cells lie below uniform ones
     for axes, name in zip(all_axes, names):
         doubt = references[name].doubt
         for row in same:
             if row not in on_curve and math.isfinite(row.error("total", name)):
                 point(axes, row, row.error("total", name), doubt, 3)
         labelled = set()
-        axes.margins(x=0.15)
+        axes.margins(x=0.2)
         # upwind and beuler first: these are labelled
         for _, group in sorted(by_curve(on_curve, "advection", "time_scheme").items(),
                                key=lambda item: (item[0][0], list(MARKERS).index(item[0][1]))):
             group = sorted(group, key=lambda row: -row.cell_size)
-            curve(axes, group, "total", name, doubt, lambda row: grid_label(row, labelled))
+            curve(axes, group, "total", name, doubt, lambda row: grid_label(row, labelled), group[0].family == lowest)
         band(axes, doubt)
     legend(figure, rows, f"small: accuracy other than {usual.accuracy:g}, or other longest step")
     return figure

@@ -125,6 +125,11 @@ def steep(refine):
     return Grid((5, 7), (8, 20, 25), refine, (0.04, 100), (0.03, 25, 4), (5, 8, 92), "steep")
 
 
+def over_bed(x, y, refine=1):
+    """Cells that grow upwards over the bed, the case's own at 3 mm."""
+    return Grid(x, y, refine, y_ratio=(1, 10), family="graded")
+
+
 GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4),
                 "0.2 mm steep": steep(1), "0.1 mm steep": steep(2), "0.05 mm steep": steep(4)}
 BIN = dict(
@@ -153,7 +158,8 @@ SCENES = {
     ),
     "bubble_rise": Scene(
         grids={"6 mm": Grid((2, 10), (67, 50)), "3 mm": Grid((3, 20), (133, 100)),
-               "1.5 mm": Grid((3, 20), (133, 100), 2)},
+               "1.5 mm": Grid((3, 20), (133, 100), 2), "6 mm graded": over_bed((2, 10), (67, 15)),
+               "3 mm graded": over_bed((3, 20), (133, 30)), "1.5 mm graded": over_bed((3, 20), (133, 30), 2)},
         usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(1e-2,),
         solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(2e-3, 5e-3, 2e-2),
         time_step_max=1e-3, gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,

@@ -106,7 +106,7 @@ def draw_bubble(axes, case):
 def draw(given, directories):
     figure, panels = plt.subplots(1, 2, figsize=(8.2, 6.4))
     rows = draw_bin(panels[0], understood(given, paper_runs.CASES / "bin_discharge" / "paper.yaml"))
-    rows += draw_bubble(panels[1], understood(given, paper_runs.CASES / "bubble_rise" / "case.yaml"))
+    rows += draw_bubble(panels[1], understood(given, paper_runs.CASES / "bubble_rise" / "paper.yaml"))
     return figure, ["case", "what [cm]", "value"], rows
 
 

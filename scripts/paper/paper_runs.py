@@ -165,7 +165,7 @@ def table():
               options={"gas": "none"}, **FINE, cpu=scaled(0.35, AIR_CPU)),
         *(Entry(f"bubble_{model}", f"bubble_rise/{file}.yaml", f"bubble_rise/{file}.yaml", options=SIX_MM, **BUBBLE,
                 cpu=scaled(factor, BUBBLE_CPU))
-          for model, file, factor in (("relaxed", "case", 1.0), ("critical_state", "critical_state", 1.0),
+          for model, file, factor in (("relaxed", "paper", 1.0), ("critical_state", "critical_state", 1.0),
                                       ("no_friction", "no_friction", 2.0))),
         parameter_entry("parameters/base", {}),
         parameter_entry("parameters/accuracy", {"accuracy": "3e-3"}),

@@ -84,7 +84,8 @@ void Simulation::apply_solver_preset(SolverPreset preset) {
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
-  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov)) return;
+  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0))
+    return;
   apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_);
   check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
   PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
@@ -123,6 +124,7 @@ void Simulation::restart() {
                     static_cast<int>(saved.scalar("trial_krylov", 0)),
                     static_cast<int>(saved.scalar("trial_returns", 0)),
                     static_cast<int>(saved.scalar("trial_windows", 0)),
+                    static_cast<int>(saved.scalar("trial_since_failure", PresetTrial::seldom)),
                     saved.scalar("trial_with_first", 0),
                     saved.scalar("trial_with_multigrid", 0)};
   if (!scene_.solver.preset_given && trial_.multigrid()) apply_solver_preset(SolverPreset::multigrid);
@@ -302,6 +304,7 @@ void Simulation::write_checkpoint() {
                            {"trial_krylov", trial.krylov},
                            {"trial_returns", trial.returns},
                            {"trial_windows", trial.windows},
+                           {"trial_since_failure", trial.since_failure},
                            {"trial_with_first", trial.with_first},
                            {"trial_with_multigrid", trial.with_multigrid},
                            {"steps", totals_.steps},

@@ -49,7 +49,7 @@ void check(PetscErrorCode code) {
 }
 
 std::vector<Scene> scenes(const std::string& cases) {
-  const std::string bin = cases + "/bin_discharge/coarse.yaml", bubble = cases + "/bubble_rise/case.yaml",
+  const std::string bin = cases + "/bin_discharge/coarse.yaml", bubble = cases + "/bubble_rise/paper.yaml",
                     third = cases + "/../tests/benchmark/bin_3d.yaml";
   return {{"bin", bin, "", {1, 2, 4}},
           {"bin_van_albada", bin, "-advection van_albada", {1, 2, 4}},

@@ -11,7 +11,7 @@ COARSE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cel
           "initial_bed_box": "0, 7 cm, 0, 12 cm", "boundary_slit_until": 0.04, "end_time": 0.06, "checkpoint_interval": 0.03}
 TOLERANCES = {"bed_height": 2e-3, "solids_fraction_max": 2e-3, "gas_pressure_max": 0.01,
               "speed_max": 0.02}
-CASE = "../../cases/bubble_rise/case.yaml"
+CASE = "../../cases/bubble_rise/paper.yaml"
 GIVEN_STEPS = {"time_step_adaptive": "no", "time_step_initial": 5e-5, "end_time": 2e-3, "snes_rtol": 1e-9, "snes_atol": 1e-7,
                "ksp_rtol": 1e-8}
 

@@ -14,6 +14,8 @@ namespace scree {
 /// the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first
 /// comes back, until it takes so many that multigrid, by what it took, would pay, or for a while, each time twice as
 /// long.
+///
+/// The many iterations of a step whose first attempt failed say nothing of the preset, unless steps fail often.
 class PresetTrial {
  public:
   struct Rule {
@@ -28,20 +30,26 @@ class PresetTrial {
   /// it fails twenty times as many steps: it is seldom asked again.
   static constexpr Rule with_gas{70, 0.5, 16};
   static constexpr int window = 10;  ///< Newton iterations for a decision
+  static constexpr int seldom = 5;   ///< steps between failures, up to which these count
 
   /// What a checkpoint has to hold.
   struct State {
     bool multigrid = false;
     int newton = 0, krylov = 0;    ///< of the window so far
     int returns = 0, windows = 0;  ///< to the first preset, and with it since the last of them
+    int since_failure = seldom;    ///< steps since one of which an attempt failed, `seldom` at most
     double with_first = 0;         ///< iterations a linear system when the first preset was left
     double with_multigrid = 0;     ///< ... and when multigrid was
   };
 
   explicit PresetTrial(Rule rule) : rule_(rule) {}
 
-  /// Adds the iterations of a step. True if the other preset shall take its turn, as multigrid() then says.
-  bool turns(int newton, int krylov) {
+  /// Adds the iterations of a step, `failed` if an attempt at it had failed. True if the other preset shall take its
+  /// turn, as multigrid() then says.
+  bool turns(int newton, int krylov, bool failed = false) {
+    const bool counts = !failed || state_.since_failure < seldom;
+    state_.since_failure = failed ? 0 : std::min(state_.since_failure + 1, seldom);
+    if (!counts) return false;
     state_.newton += newton;
     state_.krylov += krylov;
     if (state_.newton < window) return false;

@@ -96,15 +96,30 @@ TEST(PresetTrial, AsksMultigridAgainAfterAWhile) {
   }
 }
 
+/// A step that failed once says nothing of the preset; steps that fail often do.
+TEST(PresetTrial, PassesOverSeldomFailures) {
+  PresetTrial trial(PresetTrial::without_gas);
+  EXPECT_TRUE(trial.turns(10, 160));
+  for (int k = 0; k < 20; ++k) {
+    EXPECT_FALSE(trial.turns(8, 430, true));
+    for (int step = 0; step < PresetTrial::seldom; ++step) EXPECT_FALSE(trial.turns(5, 50));
+  }
+  EXPECT_FALSE(trial.turns(8, 430, true));
+  for (int step = 1; step < PresetTrial::seldom; ++step) EXPECT_FALSE(trial.turns(5, 50));
+  EXPECT_TRUE(trial.turns(10, 430, true));
+  EXPECT_FALSE(trial.multigrid());
+}
+
 /// What a checkpoint keeps is all that decides.
 TEST(PresetTrial, GoesOnFromItsState) {
   PresetTrial trial(PresetTrial::without_gas), again(PresetTrial::without_gas);
   trial.turns(10, 160);
   trial.turns(9, 110);
+  EXPECT_FALSE(trial.turns(8, 430, true));
   again.state() = trial.state();
   EXPECT_TRUE(again.multigrid());
-  EXPECT_TRUE(trial.turns(1, 15));
-  EXPECT_TRUE(again.turns(1, 15));
+  EXPECT_TRUE(trial.turns(1, 25, true));
+  EXPECT_TRUE(again.turns(1, 25, true));
 }
 
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
