@@ -30,7 +30,7 @@ class PresetTrial {
   /// it fails twenty times as many steps: it is seldom asked again.
   static constexpr Rule with_gas{70, 0.5, 16};
   static constexpr int window = 10;  ///< Newton iterations for a decision
-  static constexpr int seldom = 5;   ///< steps between failures, up to which these count
+  static constexpr int seldom = 7;   ///< steps between failures, up to which these count
 
   /// What a checkpoint has to hold.
   struct State {
