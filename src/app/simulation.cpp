@@ -84,8 +84,7 @@ void Simulation::apply_solver_preset(SolverPreset preset) {
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
-  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0))
-    return;
+  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
   apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_);
   check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
   PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
