@@ -76,7 +76,7 @@ fi
 
 launcher=(mpirun -n "$ranks" --bind-to none)
 [ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
-[ "$ranks" -le "$(nproc)" ] || launcher+=(--oversubscribe)
+[ "$ranks" -le "$(env -u OMP_NUM_THREADS nproc)" ] || launcher+=(--oversubscribe)
 export OMP_NUM_THREADS=1
 command=("${launcher[@]}" "${SCREE_BUILD_DIR:-$root/build}/bin/scree" "$case_file" "${overrides[@]}" "${arguments[@]}")
 echo "Running: ${command[*]}"
