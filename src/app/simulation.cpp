@@ -33,11 +33,17 @@ const char* name_of(TimeScheme scheme) {
   return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
 }
 
-void print_solver(MPI_Comm comm, const Case& scene, const Model& model) {
+void print_solver(MPI_Comm comm, const Case& scene, const Model& model, int fill) {
   PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
-  for (const auto& [name, value] : preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure()))
+  for (const auto& [name, value] :
+       preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure(), fill))
     PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
   PetscPrintf(comm, "\n");
+}
+
+PresetTrial::Rule trial_rule(const Case& scene) {
+  if (scene.gas.model == GasModel::none) return PresetTrial::without_gas;
+  return scene.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction : PresetTrial::with_gas;
 }
 
 }  // namespace
@@ -53,7 +59,7 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene)
       problem_(problem_setup(scene)),
       clock_(comm),
       first_preset_(scene.solver.preset),
-      trial_(scene.gas.model == GasModel::none ? PresetTrial::without_gas : PresetTrial::with_gas) {
+      trial_(trial_rule(scene)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
   apply_solver_preset(scene_.solver.preset);
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
@@ -73,22 +79,28 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene)
     restart();
 }
 
-void Simulation::apply_solver_preset(SolverPreset preset) {
+void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
   const Model& model = problem_.model();
   check_petsc(remove_options(preset_options_), "solver preset");
   preset_options_.clear();
   scene_.solver.preset = preset;
-  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.gas_pressure(), &preset_options_), "solver preset");
-  if (scene_.solver.view) print_solver(comm_, scene_, model);
+  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.gas_pressure(), &preset_options_, fill),
+              "solver preset");
+  if (scene_.solver.view) print_solver(comm_, scene_, model, fill);
+}
+
+void Simulation::apply_trial() {
+  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_, trial_.fill());
 }
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
   if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
-  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_);
+  apply_trial();
   check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
-  PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s from here on\n", stepper_->time(),
-              trial_.iterations(), name_of(scene_.solver.preset));
+  PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on\n", stepper_->time(),
+              trial_.iterations(), name_of(scene_.solver.preset),
+              !trial_.multigrid() && trial_.fill() > 0 ? " with ILU(1)" : "");
 }
 
 void Simulation::start_new() {
@@ -119,6 +131,7 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
   trial_.state() = {saved.scalar("trial_multigrid", 0) > 0,
+                    static_cast<int>(saved.scalar("trial_fill", 0)),
                     static_cast<int>(saved.scalar("trial_newton", 0)),
                     static_cast<int>(saved.scalar("trial_krylov", 0)),
                     static_cast<int>(saved.scalar("trial_returns", 0)),
@@ -126,7 +139,7 @@ void Simulation::restart() {
                     static_cast<int>(saved.scalar("trial_since_failure", PresetTrial::seldom)),
                     saved.scalar("trial_with_first", 0),
                     saved.scalar("trial_with_multigrid", 0)};
-  if (!scene_.solver.preset_given && trial_.multigrid()) apply_solver_preset(SolverPreset::multigrid);
+  if (!scene_.solver.preset_given && (trial_.multigrid() || trial_.fill() > 0)) apply_trial();
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
   stepper_->history() = {saved.scalar("dt_next"),
@@ -299,6 +312,7 @@ void Simulation::write_checkpoint() {
                            {"calm_wait", history.newton.wait},
                            {"guess", static_cast<double>(history.guess)},
                            {"trial_multigrid", trial.multigrid ? 1 : 0},
+                           {"trial_fill", trial.fill},
                            {"trial_newton", trial.newton},
                            {"trial_krylov", trial.krylov},
                            {"trial_returns", trial.returns},

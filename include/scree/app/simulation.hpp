@@ -41,7 +41,8 @@ class Simulation {
   void restart();
   void open_outputs(std::optional<double> restart_time);
   double next_event() const;
-  void apply_solver_preset(SolverPreset preset);
+  void apply_solver_preset(SolverPreset preset, int fill = 0);
+  void apply_trial();
   void reconsider_preset(const StepReport& report);
   void account(const StepReport& report);
   void make_gas_consistent();

@@ -15,26 +15,36 @@ namespace scree {
 /// comes back, until it takes so many that multigrid, by what it took, would pay, or for a while, each time twice as
 /// long.
 ///
+/// Before multigrid comes fill: ILU(1) in `fieldsplit` takes .64 of the iterations of ILU(0), each 1.2 times as long,
+/// and its set-up as much more as 7 iterations take (100 um bin, 40 x 526 cells, to .5 s: .86 of the time; bubbling
+/// bed: 1.15).
+///
 /// The many iterations of a step whose first attempt failed say nothing of the preset, unless steps fail often.
 class PresetTrial {
  public:
   struct Rule {
-    double many;    ///< Krylov iterations a linear system with the first preset, above which multigrid is tried
-    double paying;  ///< of them, up to which multigrid is kept
-    int patience;   ///< windows after which multigrid is tried again though it did not pay, growing with each return
+    double many;      ///< Krylov iterations a linear system with the first preset, above which multigrid is tried
+    double paying;    ///< of them, up to which multigrid is kept
+    double filling;   ///< iterations with the first preset, above which its ILU is given one level of fill more
+    double emptying;  ///< ... and below which that is taken from it again
+    int patience;     ///< windows after which multigrid is tried again though it did not pay, growing with each return
   };
+  static constexpr double never = 1e300;
   /// ilu: one iteration of multigrid costs twice as much, but its set-up serves a whole step.
   /// As steps grow with the plateau, what multigrid took says less and less: it is soon asked again.
-  static constexpr Rule without_gas{15, 0.75, 2};
-  /// fieldsplit: one iteration of multigrid costs 2.4 times as much, its set-up included. In a bed that packs to nu_max
-  /// it fails twenty times as many steps: it is seldom asked again.
-  static constexpr Rule with_gas{70, 0.5, 16};
+  static constexpr Rule without_gas{15, 0.75, never, 0, 2};
+  /// fieldsplit: one iteration of multigrid costs 2.4 times as much as with ILU(0), twice as much as with ILU(1), its
+  /// set-up included. A bed that nothing but collisions holds up packs to nu_max: there multigrid fails twenty times as
+  /// many steps as ILU(0), and is seldom asked again; ILU(1) fails seven times as many.
+  static constexpr Rule with_gas{45, 0.5, 12, 4, 16};
+  static constexpr Rule with_gas_without_friction{70, 0.5, never, 0, 16};
   static constexpr int window = 10;  ///< Newton iterations for a decision
   static constexpr int seldom = 7;   ///< steps between failures, up to which these count
 
   /// What a checkpoint has to hold.
   struct State {
     bool multigrid = false;
+    int fill = 0;                  ///< levels of fill that the first preset has more than by itself
     int newton = 0, krylov = 0;    ///< of the window so far
     int returns = 0, windows = 0;  ///< to the first preset, and with it since the last of them
     int since_failure = seldom;    ///< steps since one of which an attempt failed, `seldom` at most
@@ -44,8 +54,8 @@ class PresetTrial {
 
   explicit PresetTrial(Rule rule) : rule_(rule) {}
 
-  /// Adds the iterations of a step, `failed` if an attempt at it had failed. True if the other preset shall take its
-  /// turn, as multigrid() then says.
+  /// Adds the iterations of a step, `failed` if an attempt at it had failed. True if other options shall take
+  /// their turn, as multigrid() and fill() then say.
   bool turns(int newton, int krylov, bool failed = false) {
     const bool counts = !failed || state_.since_failure < seldom;
     state_.since_failure = failed ? 0 : std::min(state_.since_failure + 1, seldom);
@@ -55,6 +65,7 @@ class PresetTrial {
     if (state_.newton < window) return false;
     iterations_ = static_cast<double>(state_.krylov) / state_.newton;
     state_.newton = state_.krylov = 0;
+    if (!state_.multigrid && fill_changes()) return true;
     ++state_.windows;
     if (state_.multigrid ? multigrid_pays() : !multigrid_may_pay()) return false;
     (state_.multigrid ? state_.with_multigrid : state_.with_first) = iterations_;
@@ -65,11 +76,19 @@ class PresetTrial {
   }
 
   bool multigrid() const { return state_.multigrid; }
+  int fill() const { return state_.fill; }
   /// Krylov iterations a linear system on which the last decision rests.
   double iterations() const { return iterations_; }
   State& state() { return state_; }
 
  private:
+  /// Two bounds far apart: more fill takes fewer iterations, which must not take it away again.
+  bool fill_changes() {
+    const int before = state_.fill;
+    if (iterations_ > rule_.filling) state_.fill = 1;
+    if (iterations_ < rule_.emptying) state_.fill = 0;
+    return state_.fill != before;
+  }
   bool multigrid_pays() const { return iterations_ <= rule_.paying * state_.with_first; }
   /// After a return only if the first preset takes more now than it did, or after a while.
   bool multigrid_may_pay() const {

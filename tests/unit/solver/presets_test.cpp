@@ -63,8 +63,9 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
 
 TEST(PresetTrial, TriesMultigridAndComesBack) {
   PresetTrial trial(PresetTrial::with_gas);
-  for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 140));  // 70 are not too many
-  EXPECT_FALSE(trial.turns(9, 900));                                        // not enough to go by
+  EXPECT_TRUE(trial.turns(10, 450));                                       // fill comes first
+  for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 90));  // 45 are not too many
+  EXPECT_FALSE(trial.turns(9, 900));                                       // not enough to go by
   EXPECT_TRUE(trial.turns(1, 100));
   EXPECT_TRUE(trial.multigrid());
   EXPECT_EQ(trial.iterations(), 100);
@@ -73,9 +74,27 @@ TEST(PresetTrial, TriesMultigridAndComesBack) {
   EXPECT_FALSE(trial.multigrid());
 }
 
+TEST(PresetTrial, FillComesWhereIterationsAreManyAndGoesWhereTheyAreFew) {
+  PresetTrial trial(PresetTrial::with_gas);
+  EXPECT_FALSE(trial.turns(10, 120));
+  EXPECT_EQ(trial.fill(), 0);
+  EXPECT_TRUE(trial.turns(10, 121));
+  EXPECT_EQ(trial.fill(), 1);
+  EXPECT_FALSE(trial.multigrid());
+  EXPECT_FALSE(trial.turns(10, 40));
+  EXPECT_TRUE(trial.turns(10, 39));
+  EXPECT_EQ(trial.fill(), 0);
+  for (const PresetTrial::Rule& rule : {PresetTrial::without_gas, PresetTrial::with_gas_without_friction}) {
+    PresetTrial other(rule);
+    other.turns(10, 121);
+    EXPECT_EQ(other.fill(), 0);
+  }
+}
+
 /// Once it is known what multigrid takes, it comes when it pays.
 TEST(PresetTrial, ComesBackToMultigridWhereTheFirstTakesMore) {
   PresetTrial trial(PresetTrial::with_gas);
+  EXPECT_TRUE(trial.turns(10, 800));  // fill
   EXPECT_TRUE(trial.turns(10, 800));
   EXPECT_TRUE(trial.turns(10, 450));
   EXPECT_FALSE(trial.turns(10, 890));
@@ -150,6 +169,15 @@ TEST_F(Presets, NameNoOptionTwice) {
       const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
       EXPECT_EQ(std::adjacent_find(options.begin(), options.end(), same_name), options.end()) << preset;
     }
+}
+
+TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
+  std::vector<std::string> added;
+  check(apply_preset("fieldsplit", 8, 5, &added, 1));
+  EXPECT_EQ(value("-fieldsplit_0_sub_pc_factor_levels"), "1");
+  check(remove_options(added));
+  check(apply_preset("fieldsplit", 8, 5, &added));
+  EXPECT_EQ(value("-fieldsplit_0_sub_pc_factor_levels"), "0");
 }
 
 TEST_F(Presets, UnknownNameIsAnError) { EXPECT_THROW(preset_options("amg", 4), std::invalid_argument); }
