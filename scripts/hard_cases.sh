@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the long hard cases, which are no part of the test suite: grids and times that take minutes to hours.
+# Runs the long hard cases, which are no part of the test suite: a quarter of an hour on 2 ranks, hours on finer grids.
 set -euo pipefail
 
 usage() {

@@ -1,5 +1,5 @@
 """H10: the coarse grid of ../../cases/bin_discharge_fine with air for 5 s (SCREE_FINE_END changes it)
-and 1.5 s with its bottom closed: steady rate, pressure below that of the atmosphere, no drift. About twenty minutes."""
+and 1.5 s with its bottom closed: steady rate, pressure below that of the atmosphere, no drift. Five minutes on 2 ranks."""
 import os
 
 import numpy as np

@@ -1,5 +1,5 @@
 """H9: rate of discharge on grids of 2, 1, .5 mm (and .25 mm if SCREE_LIP_REFINE says so: "1 2 4 8"): order, extrapolated
-value, mirror symmetry. An hour on 2 ranks; .25 mm is ten times as long."""
+value, mirror symmetry. Five minutes on 2 ranks; .25 mm is ten times as long."""
 import os
 
 import numpy as np

@@ -9,14 +9,14 @@ namespace scree {
 /// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on one rank, takes 5.2 of them, multigrid 5.1
 /// and 1.4 times the time. In the plateau, from 2 to 2.2 s, it takes 22, multigrid 18 and 1.6 times the time; on two
 /// ranks, where aggregates are others, 23 and 14, and multigrid .94 of the time. With gas the bubbling bed takes 2.5
-/// with `fieldsplit`, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many cells, 84 and 3.4
-/// times the time, multigrid 12; the 100 um bin, from .8 to .83 s, 100 and 4.4 times the time, multigrid 22. So where
-/// the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed to nu_max, the first
-/// comes back, until it takes so many that multigrid, by what it took, would pay, or for a while, each time twice as
-/// long.
+/// with `fieldsplit`, ILU(0) in it, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many
+/// cells, 84 and 3.4 times the time, multigrid 12; the 100 um bin, from .8 to .83 s, 100 and 4.4 times the time,
+/// multigrid 22. So where the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed
+/// to nu_max, the first comes back, until it takes so many that multigrid, by what it took, would pay, or for a while,
+/// each time twice as long.
 ///
 /// Before multigrid comes fill: ILU(1) in `fieldsplit` takes .64 of the iterations of ILU(0), each 1.2 times as long,
-/// and its set-up as much more as 7 iterations take (100 um bin, 40 x 526 cells, to .5 s: .86 of the time; bubbling
+/// and its set-up as much more as 7 iterations take (100 um bin, 40 x 526 cells, to 1.2 s: .82 of the time; bubbling
 /// bed: 1.15).
 ///
 /// The many iterations of a step whose first attempt failed say nothing of the preset, unless steps fail often.

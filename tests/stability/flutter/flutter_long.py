@@ -1,5 +1,5 @@
 """H8 in the bin: the plug at .3 s, as it dilates, goes on for 8 ms with friction coupled and lagged. Writes bin.csv,
-the data of the plot, anew with --update. A few minutes."""
+the data of the plot, anew with --update. Half a minute."""
 import csv
 
 import numpy as np
