@@ -244,8 +244,7 @@ bool read_slab(hid_t file, const std::string& name, const Slab& slab, double* va
 void read_vectors(Checkpoint& checkpoint, const Json& header, const NodeLayout& layout, DM dm) {
   const MPI_Comm comm = communicator(dm);
   const QuietHdf5 quiet;
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access.id(), comm, MPI_INFO_NULL);
+  const Hdf5Handle access = shared_access(comm);
   const Hdf5Handle file(H5Fopen(checkpoint.file.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
   const std::string complaint = "checkpoint '" + checkpoint.file + "' cannot be used: ";
   agree(comm, file.valid(), complaint + "it cannot be opened by all ranks");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -70,6 +71,17 @@ bool Hdf5Handle::close() {
   const bool ok = closer_(id_) >= 0;
   id_ = -1;
   return ok;
+}
+
+// OMPIO guards a shared file pointer, which HDF5 does not use, by a semaphore that is named after the last part of the
+// file's name alone (its sharedfp/sm). A run that is killed while it holds the semaphore leaves it locked, and every
+// later run on that machine waits for ever when it opens a file of that name. ROMIO makes nothing until the pointer is
+// used.
+Hdf5Handle shared_access(MPI_Comm comm) {
+  setenv("OMPI_MCA_io_ompio_priority", "1", 0);  // read at the first opening; below ROMIO's 10
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access.id(), comm, MPI_INFO_NULL);
+  return access;
 }
 
 QuietHdf5::QuietHdf5() {
@@ -192,8 +204,7 @@ std::vector<ByteRange> Hdf5Writer::lay_out(const std::string& path) const {
 
 /// The values of the datasets. Collective; changes nothing but the space that lay_out() has made for them.
 void Hdf5Writer::fill(const std::string& path) const {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access.id(), comm_, MPI_INFO_NULL);
+  const Hdf5Handle access = shared_access(comm_);
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose);
   agree(comm_, file.valid(), hdf5_error());
   bool ok = true;

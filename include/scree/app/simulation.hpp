@@ -42,7 +42,7 @@ class Simulation {
   void open_outputs(std::optional<double> restart_time);
   double next_event() const;
   void apply_solver_preset(SolverPreset preset, int fill = 0);
-  void apply_trial();
+  void apply_trial();  ///< the preset and level of fill that the trial has come to
   void reconsider_preset(const StepReport& report);
   void account(const StepReport& report);
   void make_gas_consistent();

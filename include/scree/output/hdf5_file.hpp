@@ -31,6 +31,10 @@ class Hdf5Handle {
   Closer closer_ = nullptr;
 };
 
+/// For H5Fopen() by all ranks of `comm` together, through MPI-IO: by ROMIO where Open MPI has both ROMIO and its own
+/// OMPIO, unless OMPI_MCA_io_ompio_priority is set.
+Hdf5Handle shared_access(MPI_Comm comm);
+
 /// Keeps HDF5 from printing its error stack while it lives.
 class QuietHdf5 {
  public:

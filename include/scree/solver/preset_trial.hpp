@@ -29,7 +29,7 @@ class PresetTrial {
     double emptying;  ///< ... and below which that is taken from it again
     int patience;     ///< windows after which multigrid is tried again though it did not pay, growing with each return
   };
-  static constexpr double never = 1e300;
+  static constexpr double never = 1e300;  ///< more iterations than any system takes
   /// ilu: one iteration of multigrid costs twice as much, but its set-up serves a whole step.
   /// As steps grow with the plateau, what multigrid took says less and less: it is soon asked again.
   static constexpr Rule without_gas{15, 0.75, never, 0, 2};
