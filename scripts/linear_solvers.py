@@ -5,7 +5,8 @@
 
 Makes the states by running scree on the cases, forms and solves the systems by linear_solvers, and writes a line each to
 the CSV file and a table, Markdown, beside it. What the file holds already is not done again. `asm` is `ilu` with an
-overlap of one node between ranks."""
+overlap of one node between ranks; `filled` is `fieldsplit` with ILU(1), which a run takes where ILU(0) takes many
+iterations."""
 import argparse
 import csv
 import os
@@ -14,8 +15,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PRESETS = ("direct", "ilu", "multigrid", "fieldsplit")
-#: Changes of presets that are measured where there are several ranks.
-VARIANTS = {"asm": ("ilu", "-pc_type", "asm", "-pc_asm_overlap", "1")}
+#: Changes of presets.
+VARIANTS = {
+    "asm": ("ilu", "-pc_type", "asm", "-pc_asm_overlap", "1"),
+    "filled": ("fieldsplit", "-fieldsplit_0_sub_pc_factor_levels", "1"),
+}
 STEPS = (1e-3, 1e-2)
 RANKS = (2, 4, 8, 16)
 # Scene: case file, time of the state [s], refinements.
@@ -27,6 +31,7 @@ SCENES = {
     "bin_3d": ("tests/benchmark/bin_3d.yaml", 0.15, (1, 2)),
 }
 RANK_SCENES = ("bin_plateau", "fine_bin_air")
+GAS_SCENES = ("fine_bin_air", "bubble")
 KEY = ("scene", "refine", "dt", "ranks", "preset")
 
 
@@ -39,12 +44,17 @@ def arguments():
     return parser.parse_args()
 
 
+def solvers(scene, ranks):
+    """Presets, and their variants where they differ: an overlap between ranks, fill with gas."""
+    return [*PRESETS, *["asm"] * (ranks > 1), *["filled"] * (scene in GAS_SCENES)]
+
+
 def systems():
-    """Keys of all systems, small ones first: grid x step x preset on one rank, ranks at refinement 2."""
-    keys = [(scene, refine, dt, 1, preset)
+    """Keys of all systems, small ones first: grid x step x solver on one rank, ranks at refinement 2."""
+    keys = [(scene, refine, dt, 1, solver)
             for scene, (_, _, refinements) in SCENES.items() for refine in refinements
-            for dt in STEPS for preset in PRESETS]
-    keys += [(scene, 2, 1e-2, ranks, preset) for scene in RANK_SCENES for ranks in RANKS for preset in (*PRESETS, *VARIANTS)]
+            for dt in STEPS for solver in solvers(scene, 1)]
+    keys += [(scene, 2, 1e-2, ranks, solver) for scene in RANK_SCENES for ranks in RANKS for solver in solvers(scene, ranks)]
     return sorted(keys, key=lambda key: (key[1], key[3]))
 
 
