@@ -7,8 +7,8 @@ namespace scree {
 
 /// The cheaper preset depends on more than the size. Without gas `ilu` is the cheaper one while it takes few iterations
 /// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on one rank, takes 5.2 of them, multigrid 5.1
-/// and 1.4 times the time. In the plateau, from 2 to 2.2 s, it takes 22, multigrid 18 and 1.6 times the time; on two
-/// ranks, where aggregates are others, 23 and 14, and multigrid .94 of the time. With gas the bubbling bed takes 2.5
+/// and 1.4 times the time. In the plateau, from 2.2 to 2.6 s, it takes 21, multigrid 14 and .91 of the time; on two
+/// ranks, where aggregates are others, 25 and 12, and multigrid .78 of the time. With gas the bubbling bed takes 2.5
 /// with `fieldsplit`, ILU(0) in it, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many
 /// cells, 84 and 3.4 times the time, multigrid 12; the 100 um bin, from .8 to .83 s, 100 and 4.4 times the time,
 /// multigrid 22. So where the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed
