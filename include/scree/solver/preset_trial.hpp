@@ -35,9 +35,10 @@ class PresetTrial {
   static constexpr Rule without_gas{15, 0.75, never, 0, 2};
   /// fieldsplit: one iteration of multigrid costs 2.4 times as much as with ILU(0), twice as much as with ILU(1), its
   /// set-up included. A bed that nothing but collisions holds up packs to nu_max: there multigrid fails twenty times as
-  /// many steps as ILU(0), and is seldom asked again; ILU(1) fails seven times as many.
+  /// many steps as ILU(0), so it has to save more iterations and is seldom asked again; ILU(1) fails seven times as
+  /// many.
   static constexpr Rule with_gas{45, 0.5, 12, 4, 16};
-  static constexpr Rule with_gas_without_friction{70, 0.5, never, 0, 16};
+  static constexpr Rule with_gas_without_friction{70, 0.25, never, 0, 16};
   static constexpr int window = 10;  ///< Newton iterations for a decision
   static constexpr int seldom = 7;   ///< steps between failures, up to which these count
 

@@ -102,6 +102,16 @@ TEST(PresetTrial, ComesBackToMultigridWhereTheFirstTakesMore) {
   EXPECT_FALSE(trial.turns(10, 450));
 }
 
+/// A bed packed to nu_max loses steps with multigrid, which has to save more there.
+TEST(PresetTrial, WithoutFrictionMultigridHasToSaveMore) {
+  for (const bool friction : {true, false}) {
+    PresetTrial trial(friction ? PresetTrial::with_gas : PresetTrial::with_gas_without_friction);
+    while (!trial.multigrid()) trial.turns(10, 800);
+    trial.turns(10, 300);
+    EXPECT_EQ(trial.multigrid(), friction);
+  }
+}
+
 /// Where it does not, what it took is forgotten after a while, twice as long each time.
 TEST(PresetTrial, AsksMultigridAgainAfterAWhile) {
   PresetTrial trial(PresetTrial::without_gas);
