@@ -159,8 +159,7 @@ SCENES = {
     "bubble_rise": Scene(
         grids={"6 mm": Grid((2, 10), (67, 50)), "3 mm": Grid((3, 20), (133, 100)),
                "1.5 mm": Grid((3, 20), (133, 100), 2), "6 mm graded": over_bed((2, 10), (67, 15)),
-               "3 mm graded": over_bed((3, 20), (133, 30)), "1.5 mm graded": over_bed((3, 20), (133, 30), 2),
-               "0.75 mm graded": over_bed((3, 20), (133, 30), 4)},
+               "3 mm graded": over_bed((3, 20), (133, 30)), "1.5 mm graded": over_bed((3, 20), (133, 30), 2)},
         usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(1e-2,),
         solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(2e-3, 5e-3, 2e-2),
         time_step_max=1e-3, gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,
