@@ -41,8 +41,7 @@ const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
 /// set-up on the 1 mm bin, 40 x 526 cells, takes .085 s instead of .28 s (a solution: .16 s). PETSc does not hand the
 /// lag of the preconditioner down to the smoothers: the ILU of the finest level is always that of the latest Jacobian.
 /// Held, it takes twice the iterations. A level of up to 5000 unknowns is factored, on one rank: smaller ones cost
-/// more messages than work (two of five levels are left there; the plateau on 2 ranks takes 16 % fewer iterations and
-/// .74 of the time).
+/// more messages than work (the plateau on 2 ranks takes .70 of the iterations and .74 of the time).
 const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"pc_gamg_type", "agg"},
                                       {"pc_gamg_agg_nsmooths", "0"},
@@ -82,35 +81,35 @@ const PetscOptionList bicgstab{{"ksp_type", "bcgs"},
                                {"ksp_rtol", "3e-2"},
                                {"snes_lag_preconditioner", "1"}};
 
+/// The options of `list` for the solver of a block.
+PetscOptionList with_prefix(const std::string& prefix, const PetscOptionList& list) {
+  PetscOptionList result;
+  for (const auto& [name, value] : list) result.emplace_back(prefix + name, value);
+  return result;
+}
+
 /// Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
-/// aggregation multigrid with ILU(1): 27 iterations on the 1 mm bin, 40 x 526 cells, dt = 1e-2 s, against 93 with
+/// aggregation multigrid with ILU(1): 25 iterations on the 1 mm bin, 40 x 526 cells, dt = 1e-2 s, against 93 with
 /// ILU(0).
 PetscOptionList solids_fieldsplit(int unknowns) {
-  return {{"ksp_type", "fgmres"},
-          {"ksp_gmres_restart", "60"},
-          {"ksp_max_it", "100"},
-          {"ksp_rtol", "3e-2"},
-          {"pc_type", "fieldsplit"},
-          {"pc_fieldsplit_type", "schur"},
-          {"pc_fieldsplit_dm_splits", "false"},  // by component of the block, or GAMG gets a grid without vectors
-          {"pc_fieldsplit_schur_fact_type", "full"},
-          {"pc_fieldsplit_schur_precondition", "selfp"},
-          {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
-          {"pc_fieldsplit_1_fields", component_list(0, 1)},
-          {"fieldsplit_0_ksp_type", "preonly"},
-          {"fieldsplit_0_pc_type", "gamg"},
-          {"fieldsplit_0_pc_gamg_agg_nsmooths", "0"},
-          {"fieldsplit_0_pc_gamg_coarse_eq_limit", "5000"},
-          {"fieldsplit_0_pc_gamg_reuse_interpolation", "true"},
-          {"fieldsplit_0_mg_levels_ksp_type", "richardson"},
-          {"fieldsplit_0_mg_levels_ksp_max_it", "1"},
-          {"fieldsplit_0_mg_levels_pc_type", "bjacobi"},
-          {"fieldsplit_0_mg_levels_sub_pc_type", "ilu"},
-          {"fieldsplit_0_mg_levels_sub_pc_factor_levels", "1"},
-          {"fieldsplit_1_ksp_type", "gmres"},
-          {"fieldsplit_1_ksp_max_it", "5"},
-          {"fieldsplit_1_pc_type", "hypre"},
-          {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+  PetscOptionList list{{"ksp_type", "fgmres"},
+                       {"ksp_gmres_restart", "60"},
+                       {"ksp_max_it", "100"},
+                       {"ksp_rtol", "3e-2"},
+                       {"pc_type", "fieldsplit"},
+                       {"pc_fieldsplit_type", "schur"},
+                       {"pc_fieldsplit_dm_splits", "false"},  // by component, or GAMG gets a grid without vectors
+                       {"pc_fieldsplit_schur_fact_type", "full"},
+                       {"pc_fieldsplit_schur_precondition", "selfp"},
+                       {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
+                       {"pc_fieldsplit_1_fields", component_list(0, 1)},
+                       {"fieldsplit_0_ksp_type", "preonly"},
+                       {"fieldsplit_1_ksp_type", "gmres"},
+                       {"fieldsplit_1_ksp_max_it", "5"},
+                       {"fieldsplit_1_pc_type", "hypre"},
+                       {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+  for (const auto& option : with_prefix("fieldsplit_0_", multigrid_block)) list.push_back(option);
+  return list;
 }
 
 /// The Schur complement on p_g, to which one V-cycle of BoomerAMG is applied. The diagonal of the rows of u
@@ -130,7 +129,7 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
                        {"fieldsplit_1_ksp_type", "preonly"},
                        {"fieldsplit_1_pc_type", "hypre"},
                        {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
-  for (const auto& [name, value] : rest) list.emplace_back("fieldsplit_0_" + name, value);
+  for (const auto& option : with_prefix("fieldsplit_0_", rest)) list.push_back(option);
   return list;
 }
 
