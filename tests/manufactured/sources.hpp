@@ -6,7 +6,7 @@
 #include "scree/closures/drag.hpp"
 #include "scree/closures/stress.hpp"
 #include "scree/closures/wall.hpp"
-#include "scree/equations/parameters.hpp"
+#include "scree/assembly/parameters.hpp"
 
 namespace scree::test {
 

@@ -14,11 +14,13 @@ MAY_INCLUDE = {
     "math": set(),
     "closures": {"math"},
     "grid": {"math"},
-    "operators": {"math", "grid"},
-    "boundary": {"math", "closures", "grid", "operators"},
-    "equations": {"math", "closures", "grid", "operators", "boundary"},
-    "solver": {"math", "closures", "grid", "operators", "boundary", "equations"},
-    "config": {"math", "closures", "grid", "boundary", "equations"},
+    "boundary": {"math", "closures", "grid"},
+    "assembly": {"math", "closures", "grid", "boundary"},
+    "balances": {"math", "closures", "grid", "boundary", "assembly"},
+    "kernels": {"math", "closures", "grid", "boundary", "assembly", "balances"},
+    "model": {"math", "closures", "grid", "boundary", "assembly", "balances", "kernels"},
+    "solver": {"math", "closures", "grid", "boundary", "assembly", "balances", "model"},
+    "config": {"math", "closures", "grid", "boundary", "assembly", "balances"},
     "output": {"math", "grid"},
 }
 MAY_INCLUDE["app"] = set(MAY_INCLUDE)

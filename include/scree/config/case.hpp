@@ -10,7 +10,7 @@
 #include "scree/closures/gas.hpp"
 #include "scree/closures/kinetic.hpp"
 #include "scree/closures/wall.hpp"
-#include "scree/equations/parameters.hpp"
+#include "scree/assembly/parameters.hpp"
 #include "scree/grid/box.hpp"
 
 namespace scree {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "scree/equations/model.hpp"
+#include "scree/model/model.hpp"
 #include "scree/solver/gas_projection.hpp"
 
 namespace scree {

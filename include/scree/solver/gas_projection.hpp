@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "scree/equations/model.hpp"
+#include "scree/model/model.hpp"
 
 namespace scree {
 

@@ -1,0 +1,125 @@
+/// Shear stress on the edges of cells, for both momentum balances that it acts on.
+#pragma once
+
+#include "scree/kernels/cell_strain.hpp"
+
+namespace scree {
+
+/// sigma_ab of (8) at edge I of axes a < b. It acts on momentum a across the lower b faces of I - e_a and I, and on
+/// momentum b across the lower a faces of I - e_b and I; where one of the two faces is a plate only the other half
+/// remains, and the wall law acts on the rest. Edges on the sides of the box carry no stress of their own.
+template <class L, int a, int b>
+struct EdgeStress {
+  static constexpr Index e_a = unit(a), e_b = unit(b);
+  static constexpr std::array<Index, 4> cells{{-1 * e_a - e_b, Index{} - e_b, Index{} - e_a, Index{}}};
+
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (const Index& cell : cells) {
+      s.add(L::nu, cell);
+      s.add(L::T, cell);
+      s.add(L::chi, cell);
+      for (int axis = 0; axis < L::dim; ++axis) {
+        s.add(L::v(axis), cell);
+        s.add(L::v(axis), cell + unit(axis));
+        if (axis == a || axis == b) continue;
+        for (int side = -1; side <= 1; side += 2) {  // D_ac and D_bc on the edges about
+          if (cell[a] == 0) s.add(L::v(a), cell + side * unit(axis));
+          if (cell[b] == 0) s.add(L::v(b), cell + side * unit(axis));
+        }
+      }
+    }
+    add_edge_slip_inputs<L>(s, a, b);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 4> rows{
+      {{L::v(a), -1 * e_b}, {L::v(a), Index{}}, {L::v(b), -1 * e_a}, {L::v(b), Index{}}}};
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    for (const Index& cell : cells)
+      if (!scene.inside(I + cell)) return false;
+    return open_share(scene, I, a, b) > 0 || open_share(scene, I, b, a) > 0;
+  }
+  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
+                       std::array<Number, count>& r) {
+    const Number D_ab = shear_rate<L>(scene, I, q, a, b, {});
+    const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab);
+    const Number nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
+    const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
+    const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
+    const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu);
+    const Number mu =
+        through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
+                    const auto& slip_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
+                nu, T, chi, div_v, S_S, slip_squared);
+    const Number sigma = -2.0 * mu * D_ab;
+
+    const bool near = scene.near;
+    const Number on_a = (near ? open_share(scene, I, a, b) : 1.0) * sigma;
+    const Number on_b = (near ? open_share(scene, I, b, a) : 1.0) * sigma;
+    r[0] += on_a / scene.axis(b).width(I[b] - 1);
+    r[1] -= on_a / scene.axis(b).width(I[b]);
+    r[2] += on_b / scene.axis(a).width(I[a] - 1);
+    r[3] -= on_b / scene.axis(a).width(I[a]);
+  }
+
+ private:
+  /// Open share of the face between the control volumes of momentum `axis` below and above the edge along `across`.
+  static double open_share(const Scene& scene, const Index& I, int axis, int across) {
+    const double below = scene.axis(axis).lower_share(I[axis]);
+    return (scene.barrier(across, I - unit(axis)) ? 0 : below) + (scene.barrier(across, I) ? 0 : 1 - below);
+  }
+
+  /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are
+  /// crosswise.
+  template <class Value>
+  static auto mean(const Scene& scene, const Index& I, Value&& value) {
+    const double far_a = scene.axis(a).lower_share(I[a]), far_b = scene.axis(b).lower_share(I[b]);
+    return std::decay_t<decltype(value(Index{}))>(
+        (1 - far_a) * (1 - far_b) * value(cells[0]) + far_a * (1 - far_b) * value(cells[1]) +
+        (1 - far_a) * far_b * value(cells[2]) + far_a * far_b * value(cells[3]));
+  }
+
+  /// {div v, S:S} at the edge: D_ab as it is, normal components as means over the four cells, other shear components
+  /// as means of the squares over the edges about.
+  template <class Number>
+  static std::array<Number, 2> strain_invariants(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
+                                                 const Number& D_ab) {
+    Number div_v(0.0), S_S = 2.0 * D_ab * D_ab;
+    for (int axis = 0; axis < L::dim; ++axis) {
+      const Number D = mean(scene, I, [&](const Index& cell) {
+        return Number((q(L::v(axis), cell + unit(axis)) - q(L::v(axis), cell)) /
+                      scene.axis(axis).width(I[axis] + cell[axis]));
+      });
+      div_v += D;
+      S_S += D * D;
+      if (axis != a && axis != b) S_S += other_shear(scene, I, q, axis);
+    }
+    S_S -= div_v * div_v / 3.0;
+    return {div_v, S_S};
+  }
+
+  /// 2 D_ac^2 + 2 D_bc^2, c being the axis along the edge; edges on barriers count with zero.
+  template <class Number>
+  static Number other_shear(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, int c) {
+    Number sum(0.0);
+    for (int side = 0; side < 2; ++side)
+      for (int back = 0; back < 2; ++back) {
+        const auto add = [&](int axis, const Index& at) {
+          if (scene.barrier(c, I + at) || scene.barrier(c, I + at - unit(axis))) return;
+          const Number D = shear_rate<L>(scene, I, q, axis, c, at);
+          sum += 0.5 * (D * D);
+        };
+        add(a, side * unit(c) - back * e_b);
+        add(b, side * unit(c) - back * e_a);
+      }
+    return sum;
+  }
+};
+
+}  // namespace scree

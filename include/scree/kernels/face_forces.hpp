@@ -1,0 +1,44 @@
+/// What acts at a velocity: inertia rho_s nu dv/dt and gravity of (3), and the regularisation of voids.
+#pragma once
+
+#include "scree/assembly/kernel.hpp"
+#include "scree/assembly/layout.hpp"
+#include "scree/assembly/scene.hpp"
+#include "scree/closures/voids.hpp"
+
+namespace scree {
+
+/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: void_floor is added to nu in the
+/// inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay (towards that of the gas, by the gas's
+/// own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu alone. With gas it is reduced by buoyancy,
+/// since p_g is what exceeds the pressure of still gas.
+template <class L, int axis>
+struct FaceForces {
+  static constexpr Index e = unit(axis);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    s.add(L::v(axis), {});
+    s.add(L::nu, -1 * e);
+    s.add(L::nu, {});
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 1> rows{{{L::v(axis), Index{}}}};
+  static constexpr bool has_rates = true;
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) { return scene.inside(I) && scene.inside(I - e); }
+  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
+                       std::array<Number, count>& r) {
+    const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
+    const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const Number floor = void_floor(nu, scene.model.void_fraction_floor);
+    r[0] += rho_s * (nu + floor) * q.dot(L::v(axis)) - ((rho_s - rho_g) * scene.gravity[axis]) * nu;
+    if constexpr (!L::has_u) r[0] += (rho_s / scene.model.void_drag_time) * floor * q(L::v(axis));
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,55 @@
+/// The volume flux of gas (1-nu) u through a face, for every balance that needs it.
+#pragma once
+
+#include "scree/closures/drag.hpp"
+#include "scree/kernels/gas_slip.hpp"
+#include "scree/kernels/mass_flux.hpp"
+
+namespace scree {
+
+/// Superficial velocity along +axis that the condition at the lower `axis` face of I, on a side, lets in [m/s].
+inline double given_gas_flux(const Scene& scene, int axis, const Index& I) {
+  const bool above = box_above(scene, axis, I);
+  const Index cell = above ? I : I - unit(axis);
+  std::array<double, max_dim> place{};
+  for (int a = 0; a < scene.lattice.dim; ++a) place[a] = scene.axis(a).centre(cell[a]);
+  return (above ? 1 : -1) * gas_inflow(scene.barriers.condition(axis, I), place, scene.time);
+}
+
+/// Adds the inputs of gas_flux for the lower `axis` face of anchor + at.
+template <class L>
+constexpr void add_gas_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
+  s.add(L::nu, at - unit(axis));
+  s.add(L::nu, at);
+  if (L::has_u) {
+    s.add(L::u(axis), at);
+  } else {
+    s.add(L::v(axis), at);
+    add_pressure_gradient_inputs<L>(s, axis, at);
+  }
+}
+
+/// (1-nu) u at the lower `axis` face of I + at [m/s], with the mean of nu: 0 at walls.
+template <class L, class Q>
+auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+  using Number = std::decay_t<decltype(q(L::nu))>;
+  const Index face = I + at;
+  if (closed_to_gas(scene, axis, face)) return Number(0.0);
+  const Number nu = face_solids_fraction<L>(scene, I, q, axis, at);
+  if constexpr (L::has_u) {
+    return Number((1.0 - nu) * q(L::u(axis), at));
+  } else {
+    if (scene.barrier(axis, face) && brings_gas(scene.barriers.condition(axis, face).kind))
+      return Number(given_gas_flux(scene, axis, face));
+    const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
+    const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
+    const Number mobility = through(
+        [&](const auto& nu_, const auto& squared_) {
+          return darcy_mobility(nu_, squared_, scene.model.darcy_solids_fraction, scene.solids.kinetic.d, scene.gas());
+        },
+        nu, squared);
+    return Number((1.0 - nu) * (q(L::v(axis), at) - mobility * gradient));
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,181 @@
+/// The viscous part of the gas stress (5), with mu_g: on both phases by their volume fractions. Only where the case
+/// asks for it; the paper's cases do without.
+#pragma once
+
+#include "scree/kernels/gas_slip.hpp"
+
+namespace scree {
+
+/// The four rows of a gas stress across a face that u and v of one axis share: u and v before it, u and v behind it.
+template <class L>
+constexpr std::array<Output, 4> gas_stress_rows(int axis, const Index& before, const Index& behind) {
+  return {{{L::u(axis), before}, {L::v(axis), before}, {L::u(axis), behind}, {L::v(axis), behind}}};
+}
+
+/// Adds the force of a stress to the balances of u and v at one place.
+template <class Number>
+void add_gas_stress(const Number& nu, const Number& force, Number& gas, Number& particles) {
+  gas += (1.0 - nu) * force;
+  particles += nu * force;
+}
+
+/// Normal stress along `axis`. Anchor I: cell I.
+template <class L, int axis>
+struct GasNormalStress {
+  static constexpr Index e = unit(axis);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (int a = 0; a < L::dim; ++a)
+      for (int side = 0; side < 2; ++side) s.add(L::u(a), side * unit(a));
+    for (int reach = -1; reach <= 1; ++reach) s.add(L::nu, reach * e);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 4> rows = gas_stress_rows<L>(axis, Index{}, e);
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) { return scene.model.gas_viscous_stress && scene.inside(I); }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    const int reach = L::is_u(input.component) ? 0 : input.offset[axis];
+    if (reach == -1 && scene.barrier(axis, I)) return {Index{}, 1};
+    if (reach == 1 && scene.barrier(axis, I + e)) return {Index{}, 1};
+    return {input.offset, 1};
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<GasNormalStress, Number>& q,
+                       std::array<Number, count>& r) {
+    Number div_u(0.0), D(0.0);
+    for (int a = 0; a < L::dim; ++a) {
+      const Number D_aa = (q(L::u(a), unit(a)) - q(L::u(a))) / scene.axis(a).width(I[a]);
+      div_u += D_aa;
+      if (a == axis) D = D_aa;
+    }
+    const Number sigma = -2.0 * scene.gas().mu_g * (D - div_u / 3.0);
+    const Number below = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const Number above = face_mean(scene, axis, I + e, q(L::nu), q(L::nu, e));
+    add_gas_stress(below, Number(sigma / scene.control_length(axis, I)), r[0], r[1]);
+    add_gas_stress(above, Number(-sigma / scene.control_length(axis, I + e)), r[2], r[3]);
+  }
+};
+
+/// Shear stress on momentum `axis` across the lower `across` faces about edge I, where no barrier is; no-slip walls
+/// have theirs below. Nothing changes across open sides of the box: on one normal to `axis` only the half inside is
+/// there, and on one normal to `across` only the other component shears.
+template <class L, int axis, int across>
+struct GasShearStress {
+  static constexpr Index a = unit(axis), b = unit(across);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (const Index& back : {Index{}, b}) s.add(L::u(axis), -1 * back);
+    for (const Index& back : {Index{}, a}) s.add(L::u(across), -1 * back);
+    for (const Index& cell : {-1 * a - b, Index{} - b, Index{} - a, Index{}}) s.add(L::nu, cell);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 4> rows = gas_stress_rows<L>(axis, -1 * b, Index{});
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    return scene.model.gas_viscous_stress && share(scene, I - a) + share(scene, I) > 0;
+  }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    if (L::is_u(input.component)) return {input.offset, 1};
+    Index at = input.offset;  // beyond a side: the cell before it
+    for (const int normal : {axis, across})
+      if (on_side_of_axis(scene, normal, I)) at[normal] = I[normal] == 0 ? 0 : -1;
+    return {at, 1};
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<GasShearStress, Number>& q,
+                       std::array<Number, count>& r) {
+    const Axis &along = scene.axis(axis), &normal = scene.axis(across);
+    const bool side = on_side_of_axis(scene, axis, I);
+    const double below = side ? (I[axis] == 0 ? 0 : 1) : along.lower_share(I[axis]);
+    const double open = below * share(scene, I - a) + (1 - below) * share(scene, I);
+    Number rate(0.0);
+    if (!on_side_of_axis(scene, across, I))
+      rate += (q(L::u(axis)) - q(L::u(axis), -1 * b)) / normal.distance(I[across]);
+    if (!side) rate += (q(L::u(across)) - q(L::u(across), -1 * a)) / along.distance(I[axis]);
+    const Number sigma = -scene.gas().mu_g * open * rate;
+    const Number before = face_mean(scene, axis, I, q(L::nu, -1 * a - b), q(L::nu, -1 * b));
+    const Number behind = face_mean(scene, axis, I, q(L::nu, -1 * a), q(L::nu));
+    add_gas_stress(before, Number(sigma / normal.width(I[across] - 1)), r[0], r[1]);
+    add_gas_stress(behind, Number(-sigma / normal.width(I[across])), r[2], r[3]);
+  }
+
+ private:
+  /// Whether stress acts between cells J - e_across and J.
+  static int share(const Scene& scene, const Index& J) {
+    const bool above = scene.inside(J), below = scene.inside(J - b);
+    if (above == below) return above && !scene.barrier(across, J) ? 1 : 0;
+    return scene.barrier(across, J) && scene.barriers.condition(across, J).kind == BoundaryKind::open ? 1 : 0;
+  }
+};
+
+/// Shear stress of walls to which gas sticks, on u of axis `along`. Anchor I: a cell with such a wall.
+template <class L, int along>
+struct GasWallStress {
+  static constexpr Index t = unit(along);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (int reach = -1; reach <= 1; ++reach) {
+      s.add(L::nu, reach * t);
+      if (reach >= 0) s.add(L::u(along), reach * t);
+    }
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 4> rows = gas_stress_rows<L>(along, Index{}, t);
+  static constexpr bool depends(int row, const Input& input) {
+    return input.component == L::nu || input.offset == rows[row].offset;
+  }
+
+  static bool active(const Scene& scene, const Index& I) {
+    if (!scene.model.gas_viscous_stress || !scene.near || !scene.inside(I)) return false;
+    for (int normal = 0; normal < L::dim; ++normal)
+      for (int side = 0; side < 2; ++side)
+        if (sticks(scene, normal, I + side * unit(normal))) return true;
+    return false;
+  }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    if (input.component != L::nu) return {input.offset, 1};
+    if (input.offset == -1 * t && scene.barrier(along, I)) return {Index{}, 1};
+    if (input.offset == t && scene.barrier(along, I + t)) return {Index{}, 1};
+    return {input.offset, 1};
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q,
+                       std::array<Number, count>& r) {
+    for (int normal = 0; normal < L::dim; ++normal) {
+      const double width = scene.axis(normal).width(I[normal]);
+      for (int side = 0; side < 2 && normal != along; ++side) {
+        const Index face = I + side * unit(normal);
+        if (sticks(scene, normal, face))
+          add(scene, I, q, scene.gas().mu_g / (0.5 * width * width),
+              scene.barriers.condition(normal, face).velocity[along], r);
+      }
+    }
+  }
+
+ private:
+  static bool sticks(const Scene& scene, int normal, const Index& face) {
+    return normal != along && closed_to_gas(scene, normal, face) && scene.barriers.condition(normal, face).gas_no_slip;
+  }
+
+  /// The stress c (u - wall) on the halves of the control volumes of u that lie in this cell.
+  template <class Number, std::size_t count>
+  static void add(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q, double c, double wall,
+                  std::array<Number, count>& r) {
+    for (int side = 0; side < 2; ++side) {
+      const Index at = side * t;
+      const Number nu = face_mean(scene, along, I + at, q(L::nu, at - t), q(L::nu, at));
+      const Number force = c * share_of_cell(scene, along, I, side) * (q(L::u(along), at) - wall);
+      add_gas_stress(nu, force, r[2 * side], r[2 * side + 1]);
+    }
+  }
+};
+
+}  // namespace scree

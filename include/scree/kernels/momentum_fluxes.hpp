@@ -1,0 +1,213 @@
+/// Advection of momentum, rho_s nu v.grad v of (3) and rho_g (1-nu) u.grad u of (4): fluxes through the faces of the
+/// staggered control volumes, carried by the mean of the volume fluxes of the two cells that a control volume spans.
+#pragma once
+
+#include "scree/kernels/gas_flux.hpp"
+
+namespace scree {
+
+/// The particles as a phase that carries momentum.
+template <class L, bool SecondOrder>
+struct ParticlePhase {
+  static constexpr int dim = L::dim, nu = L::nu;
+  static constexpr bool second_order = SecondOrder;
+  static constexpr int velocity(int axis) { return L::v(axis); }
+  static double density(const Scene& scene) { return scene.solids.kinetic.rho_s; }
+  static constexpr void add_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
+    add_mass_flux_inputs<L, SecondOrder>(s, axis, at);
+  }
+  template <class Q>
+  static auto flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+    return mass_flux<L, SecondOrder>(scene, I, q, axis, at);
+  }
+  static bool stops(BoundaryKind kind) { return is_wall(kind); }
+  /// Component `axis` of the velocity with which `condition` lets the phase in.
+  static double brought(const Condition& condition, int axis) { return condition.velocity[axis]; }
+  static constexpr bool enters_from_rest = false;  // particles fall in as they fell before
+};
+
+/// The gas as such a phase.
+template <class L, bool SecondOrder>
+struct GasPhase {
+  static constexpr int dim = L::dim, nu = L::nu;
+  static constexpr bool second_order = SecondOrder;
+  static constexpr int velocity(int axis) { return L::u(axis); }
+  static double density(const Scene& scene) { return scene.gas().rho_g; }
+  static constexpr void add_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
+    add_gas_flux_inputs<L>(s, axis, at);
+  }
+  template <class Q>
+  static auto flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
+    return gas_flux<L>(scene, I, q, axis, at);
+  }
+  static bool stops(BoundaryKind kind) { return stops_gas(kind); }
+  static double brought(const Condition&, int) { return 0; }  // inlets blow straight in
+  static constexpr bool enters_from_rest = true;              // through open sides, from still gas outside
+};
+
+/// Momentum `axis` carried along the same axis. Anchor I: the centre of cell I, between its two `axis` faces.
+template <class Phase, int axis>
+struct NormalMomentumFlux {
+  static constexpr Index e = unit(axis);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (int reach = Phase::second_order ? -1 : 0; reach <= (Phase::second_order ? 2 : 1); ++reach)
+      s.add(Phase::velocity(axis), reach * e);
+    Phase::add_flux_inputs(s, axis, {});
+    Phase::add_flux_inputs(s, axis, e);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 2> rows{{{Phase::velocity(axis), Index{}}, {Phase::velocity(axis), e}}};
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) { return scene.inside(I); }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    const Barriers& b = scene.barriers;
+    const int reach = input.offset[axis];
+    if (input.component == Phase::velocity(axis)) {
+      if (reach == -1 && b.at(axis, I)) return beyond(b.condition(axis, I), 0, 1);
+      if (reach == 2 && b.at(axis, I + e)) return beyond(b.condition(axis, I + e), 1, 0);
+      return {input.offset, 1};
+    }
+    if (reach < 0 && b.at(axis, I)) return {Index{}, 1};
+    if (reach > 0 && b.at(axis, I + e)) return {Index{}, 1};
+    if (reach == -2 && b.at(axis, I - e)) return {-1 * e, 1};
+    if (reach == 2 && b.at(axis, I + 2 * e)) return {e, 1};
+    return {input.offset, 1};
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<NormalMomentumFlux, Number>& q,
+                       std::array<Number, count>& r) {
+    const double rho = Phase::density(scene);
+    const Axis& x = scene.axis(axis);
+    const int i = I[axis];
+    const Number F = 0.5 * (Phase::flux(scene, I, q, axis, {}) + Phase::flux(scene, I, q, axis, e));
+    const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
+    Number carried;
+    if constexpr (Phase::second_order) {
+      // What is mirrored at a plate lies a width of this cell beyond it.
+      const double far_lower = x.width(scene.barrier(axis, I) ? i : i - 1);
+      const double far_upper = x.width(scene.barrier(axis, I + e) ? i : i + 1);
+      const AdvectionMetrics h{far_lower, x.width(i), far_upper, 0.5 * x.width(i), 0.5 * x.width(i)};
+      carried = limited_upwind(F, q(Phase::velocity(axis), -1 * e), below, above, q(Phase::velocity(axis), 2 * e), h);
+    } else {
+      carried = upwind(F, below, above);
+    }
+    r[0] += rho * F * (carried - below) / scene.control_length(axis, I);
+    r[1] -= rho * F * (carried - above) / scene.control_length(axis, I + e);
+    if constexpr (Phase::enters_from_rest) {
+      // What is accelerated from rest outside has lost rho u^2/2 of pressure at an open side. Without that eddies which
+      // reach through the side feed on themselves.
+      if (lets_in_from_rest(scene, I))
+        r[0] += 0.5 * rho * positive(Phase::flux(scene, I, q, axis, {})) * below / scene.control_length(axis, I);
+      if (lets_in_from_rest(scene, I + e))
+        r[1] += 0.5 * rho * positive(-Phase::flux(scene, I, q, axis, e)) * above / scene.control_length(axis, I + e);
+    }
+  }
+
+ private:
+  static bool lets_in_from_rest(const Scene& scene, const Index& face) {
+    if (!scene.barrier(axis, face)) return false;
+    const Condition& condition = scene.barriers.condition(axis, face);
+    return condition.kind == BoundaryKind::open && condition.gas_enters_at_rest;
+  }
+  template <class Number>
+  static Number positive(const Number& x) {
+    return x > 0.0 ? x : Number(0.0);
+  }
+  /// The normal velocity beyond a face: odd about a wall at rest, constant otherwise.
+  static Reference beyond(const Condition& condition, int at_face, int mirrored) {
+    if (Phase::stops(condition.kind) && condition.velocity[axis] == 0) return {mirrored * e, -1};
+    return {at_face * e, 1};
+  }
+};
+
+/// Momentum `axis` carried along another axis, `across`. Anchor I: edge I of the two axes.
+template <class Phase, int axis, int across>
+struct CrossMomentumFlux {
+  static constexpr Index a = unit(axis), b = unit(across);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (int reach = Phase::second_order ? -2 : -1; reach <= (Phase::second_order ? 1 : 0); ++reach)
+      s.add(Phase::velocity(axis), reach * b);
+    Phase::add_flux_inputs(s, across, {});
+    Phase::add_flux_inputs(s, across, -1 * a);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 2> rows{{{Phase::velocity(axis), -1 * b}, {Phase::velocity(axis), Index{}}}};
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    const auto closed = [&](const Index& face) {
+      return scene.barrier(across, face) && Phase::stops(scene.barriers.condition(across, face).kind);
+    };
+    return scene.is_face(across, I) && scene.is_face(across, I - a) && !(closed(I) && closed(I - a));
+  }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    const int reach = input.offset[across];
+    if (input.component == Phase::velocity(across)) return {input.offset, 1};
+    if (input.component == Phase::nu) {
+      const Index column = input.offset - reach * b;
+      return cell_before_barrier(scene, I, across, column, reach);
+    }
+    const auto blocked = [&](const Index& face) {
+      return scene.barrier(across, face) || scene.barrier(across, face - a);
+    };
+    if (reach == -2 && blocked(I - b)) return {-1 * b, 1};
+    if (reach == 1 && blocked(I + b)) return {Index{}, 1};
+    return {input.offset, 1};
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
+                       std::array<Number, count>& r) {
+    const double rho = Phase::density(scene);
+    const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
+    const Axis& x = scene.axis(across);
+    if (!scene.inside(I - b)) {
+      r[1] -= rho * brought_in(scene, I, q, above) / x.width(I[across]);
+    } else if (!scene.inside(I)) {
+      r[0] += rho * brought_in(scene, I, q, below) / x.width(I[across] - 1);
+    } else {
+      const Number F =
+          face_mean(scene, axis, I, Phase::flux(scene, I, q, across, -1 * a), Phase::flux(scene, I, q, across, {}));
+      const Number v = carried(scene, I, q, F);
+      r[0] += rho * F * (v - below) / x.width(I[across] - 1);
+      r[1] -= rho * F * (v - above) / x.width(I[across]);
+    }
+  }
+
+ private:
+  /// F (v - own) through a side of the box, `own` being the velocity before it: each half of the face brings the
+  /// velocity of its own condition, and what leaves takes that of the box along.
+  template <class Number>
+  static Number brought_in(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
+                           const Number& own) {
+    const auto half = [&](const Index& at) {
+      const Condition& condition = scene.barriers.condition(across, I + at);
+      const Number F = Phase::flux(scene, I, q, across, at);
+      const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
+      if (!inflow || !brings_gas(condition.kind)) return Number(0.0);
+      return Number(F * (Phase::brought(condition, axis) - own));
+    };
+    return face_mean(scene, axis, I, half(-1 * a), half({}));
+  }
+
+  /// The velocity that the flux F carries between two cells.
+  template <class Number>
+  static Number carried(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
+                        const Number& F) {
+    const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
+    if constexpr (Phase::second_order) {
+      return limited_upwind(F, q(Phase::velocity(axis), -2 * b), below, above, q(Phase::velocity(axis), b),
+                            cell_metrics(scene.axis(across), I[across]));
+    } else {
+      return upwind(F, below, above);
+    }
+  }
+};
+
+}  // namespace scree

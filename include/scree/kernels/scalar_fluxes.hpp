@@ -1,0 +1,113 @@
+/// Fluxes through a face of the balances that live at cells: solids continuity (1), advection and conduction of
+/// granular temperature (9), advection of chi (23).
+#pragma once
+
+#include "scree/kernels/gas_slip.hpp"
+#include "scree/kernels/mass_flux.hpp"
+
+namespace scree {
+
+/// Anchor I: the lower `axis` face of cell I.
+template <class L, bool SecondOrder, int axis>
+struct ScalarFluxes {
+  static constexpr Index e = unit(axis);
+  static constexpr int first = SecondOrder ? -2 : -1, last = SecondOrder ? 1 : 0;
+
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    add_mass_flux_inputs<L, SecondOrder>(s, axis, {});
+    for (int reach = first; reach <= last; ++reach) {
+      s.add(L::T, reach * e);
+      s.add(L::chi, reach * e);
+    }
+    if (L::has_T) add_face_slip_inputs<L>(s, axis);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+
+  static constexpr int row_count = 2 + (L::has_T ? 2 : 0) + (L::has_chi ? 2 : 0);
+  static constexpr int T_row = 2, chi_row = 2 + (L::has_T ? 2 : 0);
+  static constexpr std::array<Output, row_count> make_rows() {
+    std::array<Output, row_count> rows{};
+    for (int side = 0; side < 2; ++side) {
+      const Index cell = (side - 1) * e;
+      rows[side] = {L::nu, cell};
+      if (L::has_T) rows[T_row + side] = {L::T, cell};
+      if (L::has_chi) rows[chi_row + side] = {L::chi, cell};
+    }
+    return rows;
+  }
+  static constexpr std::array<Output, row_count> rows = make_rows();
+  static constexpr bool depends(int row, const Input& input) {
+    if (input.component == L::nu || (input.component == L::v(axis) && input.offset == Index{})) return true;
+    if (input.component == L::T || input.component == L::chi) return input.component == rows[row].component;
+    return L::has_T && rows[row].component == L::T;  // slip of the gas, in the conductivity
+  }
+
+  static bool active(const Scene& scene, const Index& I) { return scene.is_face(axis, I) && !scene.wall(axis, I); }
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    const bool carried = input.component == L::nu || input.component == L::T || input.component == L::chi;
+    if (!carried) return {input.offset, 1};
+    return cell_before_barrier(scene, I, axis, {}, input.offset[axis]);
+  }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
+                       std::array<Number, count>& r) {
+    const double below = scene.axis(axis).width(I[axis] - 1), above = scene.axis(axis).width(I[axis]);
+    const Number F = mass_flux<L, SecondOrder>(scene, I, q, axis, {});
+    r[0] += F / below;
+    r[1] -= F / above;
+
+    if constexpr (L::has_T) {
+      const double c = 1.5 * scene.solids.kinetic.rho_s;
+      const Number T = carried(scene, I, q, L::T, F);
+      const Number conducted = heat_flux(scene, I, q);
+      r[T_row] += (c * F * (T - q(L::T, -1 * e)) + conducted) / below;
+      r[T_row + 1] -= (c * F * (T - q(L::T)) + conducted) / above;
+    }
+    if constexpr (L::has_chi) {
+      const Number chi = carried(scene, I, q, L::chi, F);
+      r[chi_row] += F * (chi - q(L::chi, -1 * e)) / below;
+      r[chi_row + 1] -= F * (chi - q(L::chi)) / above;
+    }
+  }
+
+ private:
+  /// Value of T or chi that the flux F carries through the face.
+  template <class Number>
+  static Number carried(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q, int component,
+                        const Number& F) {
+    const Number &below = q(component, -1 * e), &above = q(component);
+    if (scene.barrier(axis, I)) {
+      const Condition& condition = scene.barriers.condition(axis, I);
+      const bool box_is_above = box_above(scene, axis, I);
+      const bool inflow = box_is_above ? F >= 0.0 : F < 0.0;
+      if (inflow && condition.kind == BoundaryKind::inlet)
+        return Number(component == L::T ? condition.granular_temperature : condition.chi);
+      return box_is_above ? above : below;
+    }
+    if constexpr (SecondOrder) {
+      return limited_upwind(F, q(component, -2 * e), below, above, q(component, e),
+                            cell_metrics(scene.axis(axis), I[axis]));
+    } else {
+      return upwind(F, below, above);
+    }
+  }
+
+  /// q of (1.3) along the axis [W/m2]; none through sides of the box.
+  template <class Number>
+  static Number heat_flux(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q) {
+    if (scene.barrier(axis, I)) return Number(0.0);
+    const Number &below = q(L::T, -1 * e), &above = q(L::T);
+    const Number nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const Number T_face = face_mean(scene, axis, I, below, above);
+    const auto slip_squared = face_slip_squared<L>(scene, I, q, axis, nu_face);
+    const Number kappa = through(
+        [&](const auto& nu, const auto& T, const auto& slip_) { return face_conductivity(nu, T, slip_, scene.solids); },
+        nu_face, T_face, slip_squared);
+    return kappa * (below - above) / scene.axis(axis).distance(I[axis]);
+  }
+};
+
+}  // namespace scree

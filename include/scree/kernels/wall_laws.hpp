@@ -1,0 +1,164 @@
+/// What a wall does to the particles of a cell beside it: friction on the tangential velocities, eq. (25), and exchange
+/// of fluctuation energy, eq. (26); or the stress of a wall without slip.
+#pragma once
+
+#include "scree/kernels/cell_strain.hpp"
+
+namespace scree {
+
+/// Anchor I: a cell with a wall. Each velocity along the wall takes the part of the wall stress that lies in this cell.
+template <class L>
+struct WallLaws {
+  static constexpr StencilBuilder stencil = cell_stencil<L>();
+
+  static constexpr int T_row = 2 * L::dim;
+  static constexpr int row_count = T_row + (L::has_T ? 1 : 0);
+  static constexpr std::array<Output, row_count> make_rows() {
+    std::array<Output, row_count> rows{};
+    for (int t = 0; t < L::dim; ++t) {
+      rows[2 * t] = {L::v(t), Index{}};
+      rows[2 * t + 1] = {L::v(t), unit(t)};
+    }
+    if (L::has_T) rows[T_row] = {L::T, Index{}};
+    return rows;
+  }
+  static constexpr std::array<Output, row_count> rows = make_rows();
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    if (!scene.near || !scene.inside(I)) return false;
+    for (int axis = 0; axis < L::dim; ++axis)
+      for (int side = 0; side < 2; ++side)
+        if (acts(scene, axis, I + side * unit(axis))) return true;
+    return false;
+  }
+  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
+                       std::array<Number, count>& r) {
+    const auto strain = cell_strain<L>(scene, I, q);
+    const auto closures =
+        cell_closures<L, CellClosure::viscosity, CellClosure::frictional_pressure, CellClosure::frictional_viscosity,
+                      CellClosure::temperature, CellClosure::sqrt_temperature>(scene, I, q, strain);
+    for (int axis = 0; axis < L::dim; ++axis)
+      for (int side = 0; side < 2; ++side) {
+        const Index face = I + side * unit(axis);
+        if (!acts(scene, axis, face)) continue;
+        const Condition& wall = scene.barriers.condition(axis, face);
+        if (wall.kind == BoundaryKind::wall_no_slip)
+          no_slip(scene, I, q, axis, closures[0], wall, r);
+        else
+          johnson_jackson(scene, I, q, axis, strain, closures, wall, r);
+      }
+  }
+
+ private:
+  static bool acts(const Scene& scene, int axis, const Index& face) {
+    if (!scene.barrier(axis, face)) return false;
+    const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
+    return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_no_slip;
+  }
+
+  /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
+  template <class Q>
+  static auto slip(const Q& q, const Condition& wall, int t, int side) {
+    return q(L::v(t), side * unit(t)) - wall.velocity[t];
+  }
+
+  /// |v_sl|^2 at a tangential velocity: its own component there, the mean over the cell of the other one.
+  template <class Number, class Q>
+  static Number slip_speed_squared(const Q& q, const Condition& wall, int axis, int t, int side) {
+    const auto own = slip(q, wall, t, side);
+    Number sum = own * own;
+    for (int other = 0; other < L::dim; ++other) {
+      if (other == axis || other == t) continue;
+      const auto low = slip(q, wall, other, 0), high = slip(q, wall, other, 1);
+      sum += 0.5 * (low * low + high * high);
+    }
+    return sum;
+  }
+
+  /// Adds a stress to the balance of one tangential velocity.
+  template <class Number, std::size_t count>
+  static void add_stress(const Scene& scene, const Index& I, int axis, int t, int side, const Number& stress,
+                         std::array<Number, count>& r) {
+    const double below = scene.axis(t).lower_share(I[t] + side);
+    const double share = side == 0 ? 1 - below : below;  // of the control volume in this cell
+    r[2 * t + side] += share * stress / scene.axis(axis).width(I[axis]);
+  }
+
+  /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and
+  /// wall_sqrt_temperature lead there. nu and the normal stress are those of the cell.
+  template <class Number, class Strain, std::size_t count>
+  static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis,
+                              const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
+                              std::array<Number, count>& r) {
+    const KineticParameters& kinetic = scene.solids.kinetic;
+    const double width = scene.axis(axis).width(I[axis]);
+    const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
+    const Number N = p_f - 2.0 * mu_f * strain.S(axis), k = mu / (0.5 * width);
+    Number sqrt_T_wall = sqrt_T;
+    if constexpr (L::has_T) {
+      const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, k, N, sqrt_T, wall);
+      sqrt_T_wall = at_wall;
+      r[T_row] -= heat / width;
+    }
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side) {
+        const Number c = through(
+            [&](const auto& nu_, const auto& sqrt_T_, const auto& N_, const auto& k_, const auto& slip_squared) {
+              const auto collisions = wall.wall.specularity * wall_collision_rate(nu_, sqrt_T_, kinetic, wall.wall);
+              const auto share = wall_slip_share(k_, N_, collisions, slip_squared, wall.wall);
+              return share *
+                     wall_traction_coefficient(nu_, sqrt_T_, N_, share * share * slip_squared, kinetic, wall.wall);
+            },
+            q(L::nu), sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
+        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
+      }
+  }
+
+  /// {sqrt(T) at the wall, heat flux from it (26)}, with the mean of the slip over the cell.
+  template <class Number>
+  static std::array<Number, 2> heat_from_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
+                                              int axis, const Number& k, const Number& N, const Number& sqrt_T,
+                                              const Condition& wall) {
+    Number mean_slip_squared(0.0);
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side) {
+        const Number component = slip(q, wall, t, side);
+        mean_slip_squared += 0.5 * (component * component);
+      }
+    const KineticParameters& kinetic = scene.solids.kinetic;
+    const double distance = 0.5 * scene.axis(axis).width(I[axis]);
+    const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
+    const Number kappa = through([&](const auto& nu_, const auto& T_,
+                                     const auto& slip_) { return face_conductivity(nu_, T_, slip_, scene.solids); },
+                                 q(L::nu), q(L::T), gas_slip_squared);
+    return through(
+        [&](const auto& nu_, const auto& sqrt_T_, const auto& kappa_, const auto& k_, const auto& N_,
+            const auto& slip_squared) {
+          using Inner = std::decay_t<decltype(nu_)>;
+          const Inner collisions = wall.wall.specularity * wall_collision_rate(nu_, sqrt_T_, kinetic, wall.wall);
+          const Inner share = wall_slip_share(k_, N_, collisions, slip_squared, wall.wall);
+          const Inner at_wall_squared = share * share * slip_squared;
+          const Inner at_wall = wall_sqrt_temperature(nu_, sqrt_T_, Inner(kappa_ / sqrt_T_), at_wall_squared, distance,
+                                                      kinetic, wall.wall);
+          const Inner heat =
+              wall_heat_flux(nu_, Inner(at_wall * at_wall), at_wall, at_wall_squared, kinetic, wall.wall);
+          return std::array<Inner, 2>{at_wall, heat};
+        },
+        q(L::nu), sqrt_T, kappa, k, N, mean_slip_squared);
+  }
+
+  template <class Number, std::size_t count>
+  static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, const Number& mu,
+                      const Condition& wall, std::array<Number, count>& r) {
+    const Number c = mu / (0.5 * scene.axis(axis).width(I[axis]));
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side)
+        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
+  }
+};
+
+}  // namespace scree

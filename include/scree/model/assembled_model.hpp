@@ -1,0 +1,353 @@
+/// A model as the sum of its kernels: one sweep over the grid, seen by visitors that make residual, Jacobian or
+/// pattern.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "scree/assembly/assembly.hpp"
+#include "scree/kernels/cell_balances.hpp"
+#include "scree/kernels/edge_stress.hpp"
+#include "scree/kernels/face_forces.hpp"
+#include "scree/kernels/gas_continuity.hpp"
+#include "scree/kernels/gas_forces.hpp"
+#include "scree/kernels/gas_viscosity.hpp"
+#include "scree/model/model.hpp"
+#include "scree/kernels/momentum_fluxes.hpp"
+#include "scree/kernels/scalar_fluxes.hpp"
+#include "scree/kernels/wall_laws.hpp"
+
+namespace scree {
+
+template <class L, bool SecondOrder>
+class AssembledModel final : public Model {
+ public:
+  explicit AssembledModel(const ModelSetup& setup)
+      : setup_(setup),
+        assembly_{{setup.lattice, setup.barriers, setup_.model, setup_.solids}, L::count, {}, {}, {}, {}},
+        fields_(fields_of<L>(setup.scales)) {
+    const double rho_s = setup_.solids.kinetic.rho_s, V = setup_.scales.velocity, t = setup_.scales.time;
+    const double rho = setup_.scales.density;
+    assembly_.scale[L::nu] = 1;
+    assembly_.row_scale[L::nu] = t;
+    for (int axis = 0; axis < L::dim; ++axis) {
+      assembly_.scale[L::v(axis)] = V;
+      assembly_.row_scale[L::v(axis)] = t / (rho_s * V);
+    }
+    if constexpr (L::has_T) {
+      assembly_.scale[L::T] = V * V;
+      assembly_.row_scale[L::T] = t / (rho_s * V * V);
+    }
+    if constexpr (L::has_chi) {
+      assembly_.scale[L::chi] = 1;
+      assembly_.row_scale[L::chi] = t;
+    }
+    for (int axis = 0; axis < L::dim && L::has_u; ++axis) {
+      assembly_.scale[L::u(axis)] = V;
+      assembly_.row_scale[L::u(axis)] = t / (rho * V);
+    }
+    if constexpr (L::has_gas) {
+      assembly_.scale[L::p] = rho * V * V;
+      assembly_.row_scale[L::p] = t;
+    }
+    assembly_.scene.set_time(0);
+    mark_balances();
+    assembly_.mark_plain();
+  }
+
+  int unknowns() const override { return L::count; }
+  const std::vector<Field>& fields() const override { return fields_; }
+  double continuity_scale() const override { return assembly_.row_scale[L::nu]; }
+  int gas_pressure() const override { return L::p; }
+  int gas_velocity(int axis) const override { return L::u(axis); }
+  void set_time(double time) override { assembly_.scene.set_time(time); }
+  bool is_balance(int component, const Index& I) const override {
+    return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
+  }
+
+  void residual(const double* state, const double* rate, double* residual) const override {
+    std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
+    Assembly::ResidualVisitor visitor(assembly_, state, rate, residual);
+    sweep(visitor);
+    each_constraint([&](const Constraint& c) {
+      const int row = assembly_.owned_unknown(c.component, c.node);
+      residual[row] = constraint_value(c, state, rate);
+    });
+  }
+
+  void sparsity(EntrySink& sink) const override {
+    Assembly::PatternVisitor visitor(assembly_, sink);
+    sweep(visitor);
+    each_constraint([&](const Constraint& c) {
+      const int row = assembly_.owned_unknown(c.component, c.node);
+      sink.entry(row, assembly_.ghosted_unknown(c.component, c.node));
+      if (c.kind == Constraint::follow) sink.entry(row, assembly_.ghosted_unknown(c.component, c.neighbour));
+      if (c.kind == Constraint::superficial) sink.entry(row, assembly_.ghosted_unknown(L::nu, c.neighbour));
+    });
+    each_pressure_row([&](int row, const Index& I) { sink.entry(row, assembly_.ghosted_unknown(L::p, I)); });
+  }
+
+  void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places, double* diagonal,
+                double* off_diagonal) const override {
+    Assembly::JacobianVisitor visitor(assembly_, state, rate, shift, places, diagonal, off_diagonal);
+    sweep(visitor);
+    each_constraint([&](const Constraint& c) {
+      if (c.kind == Constraint::superficial) {
+        visitor.put(1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]);
+        visitor.put(-state[assembly_.ghosted_unknown(c.component, c.node)]);
+        return;
+      }
+      visitor.put(c.kind == Constraint::freeze ? shift * assembly_.row_scale[L::nu] : 1.0);
+      if (c.kind == Constraint::follow) visitor.put(-1.0);
+    });
+    each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
+  }
+
+  void impose_gas(const double* state, double* owned) const override {
+    each_constraint([&](const Constraint& c) {
+      if (!L::is_u(c.component)) return;
+      const bool superficial = c.kind == Constraint::superficial;
+      const double share = superficial ? 1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)] : 1;
+      owned[assembly_.owned_unknown(c.component, c.node)] = c.value / share;
+    });
+  }
+
+  void relax_chi([[maybe_unused]] const double* state, [[maybe_unused]] double share,
+                 [[maybe_unused]] double* owned) const override {
+    if constexpr (L::has_chi) {
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (!setup_.lattice.inside(I)) return;
+        Local<CellBalances<L>, double> q;
+        assembly_.gather(state, I, q);
+        const auto strain = cell_strain<L>(assembly_.scene, I, q);
+        const double steady = cell_closures<L, CellClosure::chi_star>(assembly_.scene, I, q, strain)[0];
+        double& chi = owned[assembly_.owned_unknown(L::chi, I)];
+        chi += share * (steady - chi);
+      });
+    }
+  }
+
+  void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
+                         [[maybe_unused]] double* owned) const override {
+    if constexpr (L::has_T) {
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (!is_balance(L::T, I)) return;
+        Local<CellBalances<L>, double> q;
+        assembly_.gather(state, I, q);
+        const auto strain = cell_strain<L>(assembly_.scene, I, q);
+        double& T = owned[assembly_.owned_unknown(L::T, I)];
+        const double scale = assembly_.scale[L::T];
+        T = raised_temperature(q(L::nu), T * scale, strain.div_v, strain.S_S, dt, setup_.solids) / scale;
+      });
+    }
+  }
+
+  double solids_flux(const double* state, int axis, const Index& I) const override {
+    double flux = 0;
+    static_for<L::dim>([&](auto a) {
+      using Kernel = ScalarFluxes<L, SecondOrder, a()>;
+      if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
+      Local<Kernel, double> q;
+      assembly_.gather(state, I, q);
+      flux = mass_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
+    });
+    return flux;
+  }
+
+  double gas_flux(const double* state, int axis, const Index& I) const override {
+    double flux = 0;
+    static_for<L::dim>([&](auto a) {
+      if constexpr (L::has_gas) {
+        using Kernel = GasContinuity<Core, SecondOrder, a()>;
+        if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
+        Local<Kernel, double> q;
+        assembly_.gather(state, I, q);
+        flux = scree::gas_flux<Core>(assembly_.scene, I, q, axis, Index{});
+      }
+    });
+    return flux;
+  }
+
+ private:
+  using Core = typename L::Core;
+  using Particles = ParticlePhase<Core, SecondOrder>;
+  using Gas = GasPhase<Core, SecondOrder>;
+
+  /// A row that is no balance: a velocity on a side or plate, a frozen unknown, or padding.
+  struct Constraint {
+    enum Kind { fix, follow, freeze, superficial } kind;
+    int component;
+    Index node;
+    double value = 0;   ///< fix: the stored value; superficial: (1-nu) times it
+    Index neighbour{};  ///< follow: zero gradient towards this node; superficial: the cell before the side
+  };
+
+  /// Stands as the diagonal of the rows of p_g in the Jacobian alone: factorisations want one, and where no side is
+  /// open the level of p_g is undetermined (DiscreteProblem settles it). Too small to be noticed by Newton's method.
+  static constexpr double pressure_hold = 1e-11;
+
+  template <int count, class Work>
+  static void static_for(Work&& work) {
+    static_for_each(work, std::make_integer_sequence<int, count>{});
+  }
+  template <class Work, int... i>
+  static void static_for_each(Work& work, std::integer_sequence<int, i...>) {
+    (work(std::integral_constant<int, i>{}), ...);
+  }
+
+  /// All kernels at all anchors that touch an owned row, always in the same order.
+  template <class Visitor>
+  void sweep(Visitor& visitor) const {
+    Index first = setup_.lattice.owned_first, count = setup_.lattice.owned_count;
+    for (int axis = 0; axis < L::dim; ++axis) {
+      first[axis] -= 1;
+      count[axis] += 2;
+    }
+    for_each_node(first, count, [&](const Index& I) {
+      visitor.enter(I);
+      static_for<L::dim>([&](auto a) {
+        visitor.template visit<ScalarFluxes<L, SecondOrder, a()>>(I);
+        visitor.template visit<NormalMomentumFlux<Particles, a()>>(I);
+        visitor.template visit<FaceForces<Core, a()>>(I);
+        static_for<L::dim>([&](auto b) {
+          if constexpr (a() != b()) visitor.template visit<CrossMomentumFlux<Particles, a(), b()>>(I);
+          if constexpr (a() < b()) visitor.template visit<EdgeStress<L, a(), b()>>(I);
+        });
+      });
+      visitor.template visit<WallLaws<L>>(I);
+      visitor.template visit<CellBalances<L>>(I);
+      if constexpr (L::has_gas) sweep_gas(visitor, I);
+    });
+  }
+  template <class Visitor>
+  void sweep_gas(Visitor& visitor, const Index& I) const {
+    static_for<L::dim>([&](auto a) {
+      visitor.template visit<GasContinuity<Core, SecondOrder, a()>>(I);
+      visitor.template visit<GasForces<Core, a()>>(I);
+      if constexpr (L::has_u) {
+        visitor.template visit<NormalMomentumFlux<Gas, a()>>(I);
+        visitor.template visit<GasNormalStress<Core, a()>>(I);
+        static_for<L::dim>([&](auto b) {
+          if constexpr (a() != b()) {
+            visitor.template visit<CrossMomentumFlux<Gas, a(), b()>>(I);
+            visitor.template visit<GasShearStress<Core, a(), b()>>(I);
+          }
+        });
+        visitor.template visit<GasWallStress<Core, a()>>(I);
+      }
+    });
+  }
+
+  /// Bits of the rows that are balances; the others are constraints.
+  void mark_balances() {
+    const Lattice& grid = setup_.lattice;
+    assembly_.balance.assign(grid.ghosted_size(), 0);
+    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+      unsigned rows = 0;
+      if (grid.inside(I)) {
+        if (setup_.model.solids_moving) rows |= 1U << L::nu;
+        if constexpr (L::has_T) rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::T;
+        if constexpr (L::has_chi)
+          rows |= static_cast<unsigned>(!setup_.model.gas_alone && !setup_.solids.friction.lagged) << L::chi;
+        if constexpr (L::has_gas) rows |= 1U << L::p;
+      }
+      for (int axis = 0; axis < L::dim; ++axis) {
+        const bool barrier = setup_.barriers.at(axis, I);
+        const bool between = grid.inside(I) && grid.inside(I - unit(axis)) && !barrier;
+        if (between && setup_.model.solids_moving) rows |= 1U << L::v(axis);
+        if constexpr (L::has_u)
+          if (between || (barrier && setup_.barriers.condition(axis, I).kind == BoundaryKind::open))
+            rows |= 1U << L::u(axis);
+      }
+      assembly_.balance[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
+    });
+  }
+
+  /// Calls work(row, I) for each owned balance of gas volume.
+  template <class Work>
+  void each_pressure_row([[maybe_unused]] Work&& work) const {
+    if constexpr (L::has_gas)
+      for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
+        if (is_balance(L::p, I)) work(assembly_.owned_unknown(L::p, I), I);
+      });
+  }
+
+  /// Calls work(Constraint) for each owned row that is no balance, always in the same order.
+  template <class Work>
+  void each_constraint(Work&& work) const {
+    const Lattice& grid = setup_.lattice;
+    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+      for (int component = 0; component < L::count; ++component)
+        if (!is_balance(component, I)) work(constraint(component, I));
+    });
+  }
+
+  Constraint constraint(int component, const Index& I) const {
+    const Lattice& grid = setup_.lattice;
+    Constraint result{Constraint::fix, component, I};
+    if (!L::is_velocity(component)) {
+      if (grid.inside(I)) result.kind = Constraint::freeze;
+      return result;
+    }
+    const int axis = L::axis_of(component);
+    if (!grid.is_face(axis, I)) return result;
+    if (L::is_u(component)) return gas_constraint(result, axis);
+    if (!setup_.model.solids_moving) {
+      result.kind = Constraint::freeze;
+      return result;
+    }
+    const Condition& condition = setup_.barriers.condition(axis, I);
+    if (condition.kind == BoundaryKind::open) {
+      result.kind = Constraint::follow;
+      result.neighbour = box_above(assembly_.scene, axis, I) ? I + unit(axis) : I - unit(axis);
+    } else if (condition.kind != BoundaryKind::symmetry) {
+      result.value = condition.velocity[axis] / assembly_.scale[component];
+    }
+    return result;
+  }
+
+  /// The constraint of u on a side or plate.
+  Constraint gas_constraint(Constraint result, int axis) const {
+    const Condition& condition = setup_.barriers.condition(axis, result.node);
+    if (brings_gas(condition.kind)) {
+      result.kind = Constraint::superficial;
+      result.value = given_gas_flux(assembly_.scene, axis, result.node) / assembly_.scale[result.component];
+      result.neighbour = box_above(assembly_.scene, axis, result.node) ? result.node : result.node - unit(axis);
+    } else if (condition.kind != BoundaryKind::symmetry) {
+      result.value = condition.velocity[axis] / assembly_.scale[result.component];
+    }
+    return result;
+  }
+
+  double constraint_value(const Constraint& c, const double* state, const double* rate) const {
+    const double here = state[assembly_.ghosted_unknown(c.component, c.node)];
+    if (c.kind == Constraint::freeze)
+      return assembly_.row_scale[L::nu] * rate[assembly_.ghosted_unknown(c.component, c.node)];
+    if (c.kind == Constraint::superficial)
+      return (1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]) * here - c.value;
+    return here - (c.kind == Constraint::follow ? state[assembly_.ghosted_unknown(c.component, c.neighbour)] : c.value);
+  }
+
+  ModelSetup setup_;
+  Assembly assembly_;
+  std::vector<Field> fields_;
+};
+
+/// Turns the run-time choices into the type of the model.
+template <int dim, GasModel gas>
+std::unique_ptr<Model> choose_model(const ModelSetup& setup) {
+  const auto with = [&](auto T, auto chi, auto second_order) -> std::unique_ptr<Model> {
+    return std::make_unique<AssembledModel<Layout<dim, T(), chi(), gas>, second_order()>>(setup);
+  };
+  const auto with_chi = [&](auto T, auto chi) {
+    return setup.model.advection == AdvectionScheme::upwind ? with(T, chi, std::false_type{})
+                                                            : with(T, chi, std::true_type{});
+  };
+  const auto with_T = [&](auto T) {
+    return setup.solids.friction.model == FrictionModel::relaxed ? with_chi(T, std::true_type{})
+                                                                 : with_chi(T, std::false_type{});
+  };
+  return setup.model.temperature == TemperatureModel::transport ? with_T(std::true_type{}) : with_T(std::false_type{});
+}
+
+}  // namespace scree

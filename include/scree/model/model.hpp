@@ -1,0 +1,86 @@
+/// The model of a scene as the solver sees it: its unknowns, its residual, its Jacobian. Which balances it is made of
+/// is decided once, in make_model.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "scree/boundary/barriers.hpp"
+#include "scree/assembly/parameters.hpp"
+#include "scree/grid/field.hpp"
+#include "scree/grid/lattice.hpp"
+
+namespace scree {
+
+/// Where Jacobian entries go: one number for each entry that the sweep over the kernels produces, in its order.
+/// place >= 0: position among the entries of the diagonal block; place <= -2: -2 - position in the off-diagonal block;
+/// -1: outside of the grid, dropped.
+using EntryPlaces = std::vector<std::int32_t>;
+
+/// Receives (local row, ghosted column unknown) of each Jacobian entry, in the order of the sweep. The column counts
+/// node * unknowns + component over ghosted nodes.
+class EntrySink {
+ public:
+  virtual ~EntrySink() = default;
+  virtual void entry(int row, int ghosted_column) = 0;
+};
+
+/// All balances of a scene on the nodes of one rank. States and rates are arrays over ghosted nodes, residuals over
+/// owned ones, interlaced by component; all are dimensionless (SI = scale * stored).
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  static constexpr int solids_fraction = 0;  ///< component of nu, the first in every layout
+  virtual int unknowns() const = 0;          ///< per node
+  virtual const std::vector<Field>& fields() const = 0;
+
+  /// Residual F(t, U, dU/dt), every owned row set. Row scales: (1) and (23) by the time scale; (3) by rho_s g.
+  virtual void residual(const double* state, const double* rate, double* residual) const = 0;
+  /// The entries that `jacobian` produces.
+  virtual void sparsity(EntrySink& sink) const = 0;
+  /// Adds dF/dU + shift dF/d(dU/dt) into the arrays of the two blocks, zeroed by the caller.
+  virtual void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places,
+                        double* diagonal, double* off_diagonal) const = 0;
+
+  /// The residual of (1) at an owned cell is rate - divergence in units of 1/time scale; this is that factor.
+  virtual double continuity_scale() const = 0;
+  /// Volume flux of solids nu v at the lower `axis` face of an owned node, SI, as in the balances [m/s].
+  virtual double solids_flux(const double* state, int axis, const Index& I) const = 0;
+  /// Volume flux of gas (1-nu) u there [m/s]; 0 without gas.
+  virtual double gas_flux(const double* state, int axis, const Index& I) const = 0;
+  /// Sets u on sides and plates to what their conditions say for the nu of `state`; `owned` is the same state without
+  /// ghosts.
+  virtual void impose_gas(const double* state, double* owned) const = 0;
+  /// Moves chi in `owned`, the same state without ghosts, by `share` of its way to chi* (21) of `state`, where it is an
+  /// unknown.
+  virtual void relax_chi(const double* state, double share, double* owned) const = 0;
+  /// First guess of a step of dt: raises T of `owned` where it is far below what a step from `state` would give. From
+  /// there Newton's method would find T < 0, which production ~ sqrt(T) makes a second way to a small residual.
+  virtual void raise_temperature(const double* state, double dt, double* owned) const = 0;
+  /// Components of p_g and of u along an axis; -1 where they are no unknowns.
+  virtual int gas_pressure() const = 0;
+  virtual int gas_velocity(int axis) const = 0;
+  /// Time at which conditions that are functions of time are taken [s].
+  virtual void set_time(double time) = 0;
+  /// Whether row `component` of node I is a balance (and not a constraint of a side, or padding).
+  virtual bool is_balance(int component, const Index& I) const = 0;
+};
+
+/// Everything a model is made of. The referenced objects must outlive it.
+struct ModelSetup {
+  const Lattice& lattice;
+  const Barriers& barriers;
+  ModelParameters model;
+  SolidsParameters solids;
+  Scales scales;
+};
+
+/// The number of unknowns a node and the stencil width of the model for these parameters.
+std::pair<int, int> model_extent(int dim, const ModelParameters& model, const SolidsParameters& solids);
+
+std::unique_ptr<Model> make_model(const ModelSetup& setup);
+
+}  // namespace scree

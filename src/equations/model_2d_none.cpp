@@ -1,8 +1,0 @@
-/// The models in 2 dimensions, gas none, compiled once.
-#include "scree/equations/assembled_model.hpp"
-
-namespace scree {
-
-template std::unique_ptr<Model> choose_model<2, GasModel::none>(const ModelSetup&);
-
-}  // namespace scree
