@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
@@ -35,9 +37,9 @@ class SolidsFraction {
     column_ =
         equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface, region.janssen_width, scene);
   }
-  double at(const Lattice& grid, const Index& I) const {
+  double at(const Lattice& grid, const Index& I, double uniform) const {
+    if (!region_.has_own_solids_fraction()) return uniform;
     if (!column_.empty()) return column_[static_cast<std::size_t>(I[axis_])];
-    if (region_.table.empty()) return region_.solids_fraction;
     return region_.table_values.value(grid.axes[axis_].centre(I[axis_]));
   }
 
@@ -46,6 +48,15 @@ class SolidsFraction {
   int axis_;
   std::vector<double> column_;
 };
+
+/// A component of v: `uniform` with the gradient of the region; on walls that of the wall [m/s].
+double initial_velocity(const InitialRegion& region, const DiscreteProblem& problem, int axis, const Index& I,
+                        const std::array<double, max_dim>& at, double uniform) {
+  if (problem.barriers().wall(axis, I)) return problem.barriers().condition(axis, I).velocity[axis];
+  for (int b = 0; b < problem.box().dim; ++b)
+    uniform += region.velocity_gradient[max_dim * axis + b] * (at[b] - problem.box().lower(b));
+  return uniform;
+}
 
 /// Whether a point lies in the region's box.
 bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, int dim) {
@@ -91,25 +102,18 @@ void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec st
   for (const InitialRegion& region : scene.initial) {
     const SolidsFraction solids_fraction(region, scene, grid);
     for (const Field& field : model.fields()) {
+      const InitialValue* given = region.find(*field.unknown);
+      if (!given && !(field.is<SolidsContinuity>() && region.has_own_solids_fraction())) continue;
       for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
         if (field.face_axis < 0 ? !grid.inside(I) : !grid.is_face(field.face_axis, I)) return;
         std::array<double, max_dim> at{};
         for (int a = 0; a < grid.dim; ++a)
           at[a] = a == field.face_axis ? grid.axes[a].face(I[a]) : grid.axes[a].centre(I[a]);
         if (!holds(region, at, grid.dim)) return;
-        double& value = x[grid.owned(I) * model.unknowns() + field.component];
-        if (field.symbol == "nu" && region.has_solids_fraction) value = solids_fraction.at(grid, I) / field.scale;
-        if (field.symbol == "T" && region.has_temperature) value = region.granular_temperature / field.scale;
-        if (field.symbol == "chi" && region.has_chi) value = region.chi / field.scale;
-        if (field.symbol == "u" && region.has_gas_velocity) value = region.gas_velocity[field.face_axis] / field.scale;
-        if (field.symbol == "v" && region.has_velocity) {
-          const int axis = field.face_axis;
-          value = region.velocity[axis];
-          for (int b = 0; b < grid.dim; ++b)
-            value += region.velocity_gradient[max_dim * axis + b] * (at[b] - problem.box().lower(b));
-          if (problem.barriers().wall(axis, I)) value = problem.barriers().condition(axis, I).velocity[axis];
-          value /= field.scale;
-        }
+        double value = given ? given->value[static_cast<std::size_t>(std::max(field.face_axis, 0))] : 0;
+        if (field.is<SolidsContinuity>()) value = solids_fraction.at(grid, I, value);
+        if (field.is<SolidsMomentum>()) value = initial_velocity(region, problem, field.face_axis, I, at, value);
+        x[grid.owned(I) * model.unknowns() + field.component] = value / field.scale;
       });
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/balances/layout.hpp"
 #include "scree/output/errors.hpp"
 
 namespace scree {
@@ -20,8 +21,8 @@ Measures::Measures(const Case& scene, const DiscreteProblem& problem) : scene_(s
   const double missing =
       std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
   mass_per_volume_ = scene.kinetic.rho_s * missing * scene.output.mirror;
-  with_gas_ = problem.model().gas_pressure() >= 0;
-  has_gas_velocity_ = problem.model().gas_velocity(0) >= 0;
+  with_gas_ = problem.model().component<GasContinuity>() >= 0;
+  has_gas_velocity_ = problem.model().component<GasMomentum>() >= 0;
   columns_ = {{"discharge_rate", "kg/s"}, {"mass", "kg"}, {"bed_height", "m"}, {"speed_max", "m/s"}};
   if (has_gas_velocity_) columns_.push_back({"gas_speed_max", "m/s"});
   for (const Field& field : problem.model().fields()) {
@@ -40,8 +41,8 @@ std::vector<double> Measures::values(Vec state) const {
   check_petsc(problem_.outflow(state, Phase::solids, &flux), "outflow");
   check_petsc(problem_.solids_volume(state, &volume), "solids volume");
   std::vector<double> values{flux * mass_per_volume_, volume * mass_per_volume_, bed_height(state),
-                             greatest_speed(state, "v")};
-  if (has_gas_velocity_) values.push_back(greatest_speed(state, "u"));
+                             greatest_speed(state, SolidsMomentum::unknown)};
+  if (has_gas_velocity_) values.push_back(greatest_speed(state, GasMomentum::unknown));
   for (const Field& field : problem_.model().fields()) {
     if (field.face_axis >= 0) continue;
     const Range r = range(state, field);
@@ -73,13 +74,13 @@ Measures::Range Measures::range(Vec state, const Field& field) const {
   return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
 }
 
-double Measures::greatest_speed(Vec state, const std::string& symbol) const {
+double Measures::greatest_speed(Vec state, const Unknown& velocity) const {
   const Lattice& grid = problem_.lattice();
   const double* x;
   check_petsc(VecGetArrayRead(state, &x), "speed");
   double greatest = 0;
   for (const Field& field : problem_.model().fields())
-    if (field.symbol == symbol)
+    if (field.unknown == &velocity)
       for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
         if (grid.is_face(field.face_axis, I))
           greatest = std::max(greatest,

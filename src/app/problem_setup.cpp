@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
@@ -11,11 +13,11 @@ namespace {
 /// Whether particles are there from the start or come in.
 bool has_particles(const Case& scene) {
   const auto brings = [](const Segment& s) {
-    return s.condition.kind == BoundaryKind::inlet && s.condition.solids_fraction > 0;
+    return s.condition.kind.brings_solids() && s.condition.brought(SolidsContinuity::unknown) > 0;
   };
   const auto holds = [](const InitialRegion& r) {
-    return (r.has_solids_fraction && r.solids_fraction > 0) || !r.table.empty() ||
-           r.profile != InitialRegion::Profile::uniform;
+    const InitialValue* nu = r.find(SolidsContinuity::unknown);
+    return (nu && nu->value[0] > 0) || !r.table.empty() || r.profile != InitialRegion::Profile::uniform;
   };
   return scene.gas.model == GasModel::none || std::any_of(scene.segments.begin(), scene.segments.end(), brings) ||
          std::any_of(scene.initial.begin(), scene.initial.end(), holds);

@@ -5,6 +5,7 @@
 
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
+#include "scree/balances/layout.hpp"
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/checkpoint.hpp"
 #include "scree/output/directory.hpp"
@@ -36,7 +37,7 @@ const char* name_of(TimeScheme scheme) {
 void print_solver(MPI_Comm comm, const Case& scene, const Model& model, int fill) {
   PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
   for (const auto& [name, value] :
-       preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure(), fill))
+       preset_options(name_of(scene.solver.preset), model.unknowns(), model.component<GasContinuity>(), fill))
     PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
   PetscPrintf(comm, "\n");
 }
@@ -84,7 +85,7 @@ void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
   check_petsc(remove_options(preset_options_), "solver preset");
   preset_options_.clear();
   scene_.solver.preset = preset;
-  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.gas_pressure(), &preset_options_, fill),
+  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.component<GasContinuity>(), &preset_options_, fill),
               "solver preset");
   if (scene_.solver.view) print_solver(comm_, scene_, model, fill);
 }

@@ -37,7 +37,7 @@ void Barriers::mark_sides(const std::vector<Segment>& segments, double time) {
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const Segment& segment = segments[s];
     if (time < segment.condition.from || time >= segment.condition.until) continue;
-    some_open_ = some_open_ || segment.condition.kind == BoundaryKind::open;
+    some_open_ = some_open_ || segment.condition.kind.open_to_gas();
     const int side = segment.upper ? grid.axes[segment.axis].cells() : 0;
     for_each_node(grid.ghosted_first, grid.ghosted_count, [&](const Index& I) {
       if (I[segment.axis] == side && grid.is_face(segment.axis, I) && within(segment.patch, grid, segment.axis, I))

@@ -3,17 +3,12 @@
 namespace scree {
 namespace {
 
-const OptionSet::Choices<BoundaryKind> wall_kinds{{"wall_johnson_jackson", BoundaryKind::wall_johnson_jackson},
-                                                  {"wall_free_slip", BoundaryKind::wall_free_slip},
-                                                  {"wall_no_slip", BoundaryKind::wall_no_slip}};
-
-OptionSet::Choices<BoundaryKind> side_kinds() {
-  OptionSet::Choices<BoundaryKind> kinds = wall_kinds;
-  kinds.push_back({"symmetry", BoundaryKind::symmetry});
-  kinds.push_back({"open", BoundaryKind::open});
-  kinds.push_back({"inlet", BoundaryKind::inlet});
-  kinds.push_back({"gas_inlet", BoundaryKind::gas_inlet});
-  return kinds;
+/// Kinds by name; of plates, the walls alone.
+OptionSet::Choices<BoundaryKind> kind_choices(const Case& scene, bool walls_alone) {
+  OptionSet::Choices<BoundaryKind> choices;
+  for (const BoundaryKind* kind : scene.catalogue.boundary_kinds())
+    if (kind->is_wall() || !walls_alone) choices.push_back({std::string(kind->name), *kind});
+  return choices;
 }
 
 /// Sides by name; a side is 2 axis + (1 for the upper one).
@@ -38,6 +33,11 @@ std::vector<double> declare_patches(OptionSet& o, const std::string& key, int di
   return list;
 }
 
+/// Whether (25) and (26) hold.
+bool has_wall_law(const Condition& condition) {
+  return condition.kind.solids_tangential == SolidsTangential::johnson_jackson;
+}
+
 void declare_wall_values(OptionSet& o, const std::string& key, bool used, WallParameters& wall) {
   const std::string other_kind = "its kind is not wall_johnson_jackson";
   o.real(key + "friction_angle", wall.delta, "rad", angle_below_right(), "angle of wall friction, eq. (25)")
@@ -55,23 +55,20 @@ void declare_wall_values(OptionSet& o, const std::string& key, bool used, WallPa
 }
 
 void declare_inlet_values(OptionSet& o, const std::string& key, const Case& scene, Condition& condition) {
-  const bool inlet = condition.kind == BoundaryKind::inlet;
-  const std::string no_inlet = "its kind is not inlet";
-  OptionEntry& nu = o.real(key + "solids_fraction", condition.solids_fraction, "-",
-                           from_zero_below(scene.kinetic.nu_max, "solids_fraction_max"), "of what an inlet brings")
-                        .symbol("nu")
-                        .unset_by_default("required for an inlet")
-                        .used_if(inlet, no_inlet);
-  nu.needed = inlet;
-  o.real(key + "granular_temperature", condition.granular_temperature, "m2/s2", non_negative(),
-         "of what an inlet brings")
-      .symbol("T")
-      .used_if(inlet, no_inlet)
-      .used_if(scene.model.temperature == TemperatureModel::transport, "granular_temperature is not transport");
-  o.real(key + "frictional_pressure_ratio", condition.chi, "-", non_negative(), "of what an inlet brings")
-      .symbol("chi")
-      .used_if(inlet, no_inlet)
-      .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+  const bool inlet = condition.kind.brings_solids();
+  for (const Unknown* unknown : scene.catalogue.unknowns()) {
+    const GivenValue& given = unknown->inlet;
+    if (!given.text) continue;
+    const std::string absent = absence(scene, *unknown);
+    double value = given.otherwise;
+    OptionEntry& option =
+        o.real(key + unknown->dataset, value, option_unit(*unknown), range_of(given.allowed, scene), given.text)
+            .symbol(unknown->symbol)
+            .used_if(inlet, "its kind is not inlet")
+            .used_if(absent.empty(), absent);
+    if (given.required) option.unset_by_default("required for an inlet").needed = inlet;
+    condition.bring(*unknown, value);
+  }
 }
 
 void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
@@ -83,18 +80,18 @@ void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid
   o.choice(key + "side", side, side_choices(o, grid.dim), "side of the box").required();
   segment.axis = side / 2;
   segment.upper = side % 2 == 1;
-  o.choice(key + "kind", condition.kind, side_kinds(), "what happens there, see the table of kinds").required();
+  o.choice(key + "kind", condition.kind, kind_choices(scene, false), "what happens there, see the table of kinds")
+      .required();
   segment.patch = patch_from(
       declare_patches(o, key + "patch", grid.dim, false, "the whole side", "part of the side, on grid planes"),
       segment.axis, grid.dim);
   o.integer(key + "order", entry.order, -1000000, "where segments overlap the higher order holds, then the later name");
-  const bool moves = condition.kind != BoundaryKind::symmetry && condition.kind != BoundaryKind::open &&
-                     condition.kind != BoundaryKind::gas_inlet;
+  const bool moves = condition.kind.moves();
   o.vector(key + "velocity", condition.velocity, grid.dim, "m/s", "of the wall, or of what an inlet brings")
       .symbol("v")
       .used_if(moves, "its kind has no velocity");
   if (!moves) condition.velocity.fill(0);
-  declare_wall_values(o, key, condition.kind == BoundaryKind::wall_johnson_jackson, condition.wall);
+  declare_wall_values(o, key, has_wall_law(condition), condition.wall);
   declare_inlet_values(o, key, scene, condition);
   declare_gas_side(o, key, grid.dim, scene, segment);
   o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
@@ -105,7 +102,7 @@ void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, 
   plate.condition.wall = scene.wall;
   o.choice(key + "axis", plate.axis, axis_choices(o, grid.dim), "axis normal to the plate").required();
   o.real(key + "position", plate.position, "m", any_number(), "coordinate along that axis, on a grid plane").required();
-  o.choice(key + "kind", plate.condition.kind, wall_kinds, "wall law on both sides");
+  o.choice(key + "kind", plate.condition.kind, kind_choices(scene, true), "wall law on both sides");
   plate.span = patch_from(declare_patches(o, key + "span", grid.dim, false, "everywhere", "extent, on grid planes"),
                           plate.axis, grid.dim);
   const std::vector<double> openings =
@@ -113,7 +110,7 @@ void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, 
   for (std::size_t first = 0; first < openings.size(); first += 2 * static_cast<std::size_t>(grid.dim - 1))
     plate.openings.push_back(patch_from(openings, plate.axis, grid.dim, first));
   o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s", "of the wall, in its plane").symbol("v");
-  declare_wall_values(o, key, plate.condition.kind == BoundaryKind::wall_johnson_jackson, plate.condition.wall);
+  declare_wall_values(o, key, has_wall_law(plate.condition), plate.condition.wall);
   declare_gas_wall(o, key, scene, plate.condition);
 }
 

@@ -31,8 +31,9 @@ void check_ramp(const std::string& key, const Ramp& ramp) {
 void check_condition(const Case& scene, const Segment& segment) {
   const Condition& condition = segment.condition;
   const std::string key = "boundary_" + condition.name + "_";
-  if (condition.kind == BoundaryKind::gas_inlet && scene.gas.model == GasModel::none)
-    throw InputError(key + "kind", "gas_inlet", "gas darcy or incompressible with this kind, but gas is none");
+  if (condition.kind.brings_gas() && !condition.kind.brings_solids() && scene.gas.model == GasModel::none)
+    throw InputError(key + "kind", std::string(condition.kind.name),
+                     "gas darcy or incompressible with this kind, but gas is none");
   check_ramp(key + "gas_profile_", condition.gas_profile);
   check_ramp(key + "gas_history_", condition.gas_history);
   if (!condition.gas_profile.at.empty() && condition.gas_profile_axis == segment.axis)
@@ -42,7 +43,7 @@ void check_condition(const Case& scene, const Segment& segment) {
 
 bool brings_gas_at(const Segment& segment, double time) {
   const Condition& condition = segment.condition;
-  if (condition.kind != BoundaryKind::inlet && condition.kind != BoundaryKind::gas_inlet) return false;
+  if (!condition.kind.brings_gas()) return false;
   const std::vector<double>& factors = condition.gas_profile.factor;
   const bool profile =
       factors.empty() || std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; });
@@ -52,7 +53,7 @@ bool brings_gas_at(const Segment& segment, double time) {
 /// Particles that come in displace as much gas.
 bool brings_particles(const Segment& segment) {
   const Condition& condition = segment.condition;
-  return condition.kind == BoundaryKind::inlet && condition.solids_fraction != 0 &&
+  return condition.kind.brings_solids() && condition.brought(SolidsContinuity::unknown) != 0 &&
          condition.velocity[segment.axis] != 0;
 }
 
@@ -92,7 +93,7 @@ void check_way_out(const Case& scene) {
   }
   for (const double time : middles(cuts, 0.0, scene.time.end_time > 0 ? scene.time.end_time : 1.0)) {
     const std::vector<const Segment*> present = all_holding(scene.box, sides, time);
-    const auto is_open = [](const Segment* s) { return s->condition.kind == BoundaryKind::open; };
+    const auto is_open = [](const Segment* s) { return s->condition.kind.open_to_gas(); };
     if (std::any_of(present.begin(), present.end(), is_open)) continue;
     const std::string expected =
         "an open side, where the gas can leave; there is none at time " + number_text(time) + " s";

@@ -11,26 +11,23 @@ struct Use {
 
 Use use_of_inflow(const Case& scene, const Condition& condition) {
   if (scene.gas.model == GasModel::none) return {false, "gas is none"};
-  const bool brings = condition.kind == BoundaryKind::inlet || condition.kind == BoundaryKind::gas_inlet;
-  return {brings, "its kind is neither inlet nor gas_inlet"};
+  return {condition.kind.brings_gas(), "its kind is neither inlet nor gas_inlet"};
 }
 
 Use use_of_pressure(const Case& scene, const Condition& condition) {
   if (scene.gas.model == GasModel::none) return {false, "gas is none"};
-  return {condition.kind == BoundaryKind::open, "its kind is not open"};
+  return {condition.kind.gas_pressure == GasPressure::prescribed, "its kind is not open"};
 }
 
 Use use_of_entry(const Case& scene, const Condition& condition) {
   if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
-  return {condition.kind == BoundaryKind::open, "its kind is not open"};
+  return {condition.kind.open_to_gas(), "its kind is not open"};
 }
 
 Use use_of_wall(const Case& scene, const Condition& condition) {
   if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
   if (!scene.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
-  const bool wall = condition.kind == BoundaryKind::wall_johnson_jackson ||
-                    condition.kind == BoundaryKind::wall_free_slip || condition.kind == BoundaryKind::wall_no_slip;
-  return {wall, "its kind is not a wall"};
+  return {condition.kind.gas_tangential == GasTangential::wall, "its kind is not a wall"};
 }
 
 void declare_profile(OptionSet& o, const std::string& key, int dim, const Use& use, Segment& segment) {
@@ -80,7 +77,7 @@ void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case&
                               .symbol("(1-nu) u")
                               .default_from("0; required for a gas_inlet")
                               .used_if(inflow.used, inflow.otherwise);
-  velocity.needed = inflow.used && condition.kind == BoundaryKind::gas_inlet;
+  velocity.needed = inflow.used && !condition.kind.brings_solids();
   declare_profile(o, key, dim, inflow, segment);
   declare_history(o, key, inflow, condition.gas_history);
   o.real(key + "gas_pressure", condition.gas_pressure, "Pa", any_number(),

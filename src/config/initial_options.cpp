@@ -4,12 +4,11 @@ namespace scree {
 namespace {
 
 /// What holds where no region says otherwise: an empty box.
-InitialRegion empty_box() {
+InitialRegion empty_box(const std::vector<const Unknown*>& unknowns) {
   InitialRegion region;
   region.name = "default";
-  region.has_solids_fraction = region.has_velocity = region.has_temperature = region.has_chi = region.has_gas_velocity =
-      true;
-  region.granular_temperature = 1e-4;
+  for (const Unknown* unknown : unknowns)
+    if (unknown->initial.text) region.values.push_back({unknown, {unknown->initial.otherwise}});
   return region;
 }
 
@@ -32,21 +31,23 @@ void declare_profile(OptionSet& o, const std::string& key, const GridInput& grid
       .used_if(!region.table.empty() || o.describing(), "there is no table");
 }
 
-void declare_values(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
-                    InitialRegion& region) {
-  const bool own_profile = region.profile != InitialRegion::Profile::uniform || !region.table.empty();
-  region.has_solids_fraction =
-      o.real(key + "solids_fraction", region.solids_fraction, "-",
-             from_zero_below(scene.kinetic.nu_max, "solids_fraction_max"), "solids fraction in the region")
-          .symbol("nu")
-          .unset_by_default("unchanged")
-          .used_if(!own_profile, "its profile or table gives the solids fraction")
-          .given ||
-      own_profile;
-  const bool velocity = o.vector(key + "velocity", region.velocity, grid.dim, "m/s", "velocity of the particles")
-                            .symbol("v")
-                            .unset_by_default("unchanged")
-                            .given;
+/// The option of one unknown, which may be given `elsewhere`, by a profile or table; whether it is given.
+bool declare_value(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene, bool elsewhere,
+                   const Unknown& unknown, InitialValue& entry) {
+  entry.unknown = &unknown;
+  const std::string name = key + unknown.dataset, absent = absence(scene, unknown);
+  OptionEntry& option = unknown.place == Place::face
+                            ? o.vector(name, entry.value, grid.dim, unknown.unit, unknown.initial.text)
+                            : o.real(name, entry.value[0], option_unit(unknown),
+                                     range_of(unknown.initial.allowed, scene), unknown.initial.text);
+  return option.symbol(unknown.symbol)
+      .unset_by_default("unchanged")
+      .used_if(absent.empty(), absent)
+      .used_if(!elsewhere, "its profile or table gives the solids fraction")
+      .given;
+}
+
+void declare_gradient(OptionSet& o, const std::string& key, const GridInput& grid, InitialRegion& region) {
   const std::size_t dim = static_cast<std::size_t>(grid.dim);
   std::vector<double> gradient;
   o.reals(key + "velocity_gradient", gradient, {dim * dim, false, "row by row, dv_i/dx_j"}, "1/s", any_number(),
@@ -54,25 +55,19 @@ void declare_values(OptionSet& o, const std::string& key, const GridInput& grid,
       .unset_by_default("0");
   for (std::size_t k = 0; k < gradient.size(); ++k)
     region.velocity_gradient[max_dim * (k / dim) + k % dim] = gradient[k];
-  region.has_velocity = velocity || !gradient.empty();
-  region.has_temperature =
-      o.real(key + "granular_temperature", region.granular_temperature, "m2/s2", non_negative(), "granular temperature")
-          .symbol("T")
-          .unset_by_default("unchanged")
-          .used_if(scene.model.temperature != TemperatureModel::constant, "granular_temperature is constant")
-          .given;
-  region.has_chi =
-      o.real(key + "frictional_pressure_ratio", region.chi, "-", non_negative(), "scaled frictional pressure")
-          .symbol("chi")
-          .unset_by_default("unchanged")
-          .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed")
-          .given;
-  region.has_gas_velocity = o.vector(key + "gas_velocity", region.gas_velocity, grid.dim, "m/s",
-                                     "velocity of the gas, before it is made consistent with (2)")
-                                .symbol("u")
-                                .unset_by_default("unchanged")
-                                .used_if(scene.gas.model == GasModel::incompressible, "gas is not incompressible")
-                                .given;
+  if (!gradient.empty() && !region.find(SolidsMomentum::unknown))
+    region.values.push_back({&SolidsMomentum::unknown, {0, 0, 0}});
+}
+
+void declare_values(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
+                    InitialRegion& region) {
+  for (const Unknown* unknown : scene.catalogue.unknowns()) {
+    if (!unknown->initial.text) continue;
+    InitialValue entry;
+    const bool elsewhere = unknown == &SolidsContinuity::unknown && region.has_own_solids_fraction();
+    if (declare_value(o, key, grid, scene, elsewhere, *unknown, entry)) region.values.push_back(entry);
+    if (unknown == &SolidsMomentum::unknown) declare_gradient(o, key, grid, region);
+  }
 }
 
 void declare_region(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
@@ -98,7 +93,7 @@ std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, 
         entry.item.name = name;
         declare_region(set, key, grid, scene, entry);
       }));
-  InitialRegion everywhere = empty_box();
+  InitialRegion everywhere = empty_box(scene.catalogue.unknowns());
   everywhere.lower = Patch().lower;
   everywhere.upper = Patch().upper;
   regions.insert(regions.begin(), everywhere);

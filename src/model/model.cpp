@@ -1,9 +1,11 @@
 #include "scree/model/model.hpp"
 
+#include "scree/balances/present.hpp"
+
 namespace scree {
 
 /// Explicitly instantiated, one file a dimension and gas model.
-template <int dim, GasModel gas>
+template <int dim, GasModel gas, class... Scalars>
 std::unique_ptr<Model> choose_model(const ModelSetup& setup);
 
 namespace {
@@ -22,11 +24,11 @@ std::unique_ptr<Model> with_gas(const ModelSetup& setup) {
 
 }  // namespace
 
-std::pair<int, int> model_extent(int dim, const ModelParameters& model, const SolidsParameters& solids) {
-  const GasModel gas = solids.gas.model;
-  const int unknowns = 1 + dim + (model.temperature == TemperatureModel::transport ? 1 : 0) +
-                       (solids.friction.model == FrictionModel::relaxed ? 1 : 0) +
-                       (gas == GasModel::incompressible ? dim : 0) + (gas != GasModel::none ? 1 : 0);
+std::pair<int, int> ModelFactory::extent(int dim, const ModelParameters& model, const SolidsParameters& solids) const {
+  int unknowns = 0;
+  std::vector<const Unknown*> all = present_unknowns(model, solids);
+  all.insert(all.end(), further.begin(), further.end());
+  for (const Unknown* unknown : all) unknowns += unknown->place == Place::face ? dim : 1;
   return {unknowns, model.advection == AdvectionScheme::upwind ? 2 : 3};
 }
 

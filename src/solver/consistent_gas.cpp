@@ -1,5 +1,7 @@
 #include "scree/solver/consistent_gas.hpp"
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
@@ -16,7 +18,7 @@ PetscErrorCode copy_pressure(const Model& model, Vec from, Vec to) {
   PetscCall(VecGetLocalSize(to, &size));
   PetscCall(VecGetArrayRead(from, &source));
   PetscCall(VecGetArray(to, &target));
-  for (PetscInt k = model.gas_pressure(); k < size; k += unknowns) target[k] = source[k];
+  for (PetscInt k = model.component<GasContinuity>(); k < size; k += unknowns) target[k] = source[k];
   PetscCall(VecRestoreArray(to, &target));
   PetscCall(VecRestoreArrayRead(from, &source));
   PetscFunctionReturn(0);
@@ -28,7 +30,7 @@ PetscErrorCode make_gas_consistent(const DiscreteProblem& problem, const StepCon
                                    bool* done) {
   PetscFunctionBeginUser;
   *done = true;
-  if (problem.model().gas_pressure() < 0) PetscFunctionReturn(0);
+  if (problem.model().component<GasContinuity>() < 0) PetscFunctionReturn(0);
   PetscCall(problem.impose_gas(state));
   PetscCall(problem.project_gas(state));
   ProblemSetup setup = problem.setup();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 PetscErrorCode GhostedArray::open(DM dm, Vec global) {
@@ -135,7 +137,7 @@ DiscreteProblem::~DiscreteProblem() {
 
 PetscErrorCode DiscreteProblem::create(MPI_Comm comm, double time) {
   PetscFunctionBeginUser;
-  const auto [unknowns, stencil_width] = model_extent(setup_.box.dim, setup_.model, setup_.solids);
+  const auto [unknowns, stencil_width] = setup_.models.extent(setup_.box.dim, setup_.model, setup_.solids);
   PetscCall(create_dm(comm, setup_.box, unknowns, stencil_width, &dm_));
   lattice_ = std::make_unique<Lattice>(setup_.box, dm_);
   PetscCall(update_conditions(time));
@@ -148,12 +150,12 @@ PetscErrorCode DiscreteProblem::update_conditions(double time) {
   PetscFunctionBeginUser;
   barriers_ = std::make_unique<Barriers>(*lattice_, setup_.segments, setup_.plates, time);
   gas_projection_.reset();
-  model_ = make_model({*lattice_, *barriers_, setup_.model, setup_.solids, setup_.scales});
+  model_ = setup_.models.make({*lattice_, *barriers_, setup_.model, setup_.solids, setup_.scales});
   stored_with_nu_.clear();
   for (const Field& field : model_->fields())
-    if (field.symbol == "v" || field.symbol == "T" || field.symbol == "chi") stored_with_nu_.push_back(field);
+    if (field.unknown->error == ErrorNorm::with_particles) stored_with_nu_.push_back(field);
   model_->set_time(time);
-  if (model_->gas_velocity(0) >= 0) {
+  if (model_->component<GasMomentum>() >= 0) {
     gas_projection_ = std::make_unique<GasProjection>(*lattice_, *barriers_, *model_);
     PetscCall(gas_projection_->create(dm_));
   }
@@ -263,7 +265,7 @@ PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, Volu
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
   // The gas has the rest of the box: its volume changes by -sum.
-  *imbalance = {sum + outflow_rate, model_->gas_pressure() >= 0 ? gas_outflow_rate - sum : 0};
+  *imbalance = {sum + outflow_rate, model_->component<GasContinuity>() >= 0 ? gas_outflow_rate - sum : 0};
   PetscFunctionReturn(0);
 }
 
@@ -332,7 +334,7 @@ PetscErrorCode DiscreteProblem::project_gas(Vec state) const {
 
 PetscErrorCode DiscreteProblem::settle_pressure(Vec state) const {
   PetscFunctionBeginUser;
-  const int p = model_->gas_pressure();
+  const int p = model_->component<GasContinuity>();
   if (p < 0 || barriers_->some_open()) PetscFunctionReturn(0);
   double* x;
   double sum[2] = {0, 0};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/balances/layout.hpp"
 #include "scree/solver/discrete_problem.hpp"
 
 namespace scree {
@@ -30,7 +31,7 @@ GasProjection::~GasProjection() {
 
 bool GasProjection::passes(int axis, const Index& I) const {
   if (!lattice_.is_face(axis, I)) return false;
-  return !barriers_.at(axis, I) || barriers_.condition(axis, I).kind == BoundaryKind::open;
+  return !barriers_.at(axis, I) || barriers_.condition(axis, I).kind.open_to_gas();
 }
 
 PetscErrorCode GasProjection::create(DM dm) {
@@ -180,7 +181,7 @@ PetscErrorCode GasProjection::correct(Vec state) const {
           (has_below ? phi.data()[lattice_.ghosted(below)] : 0) - (has_above ? phi.data()[lattice_.ghosted(I)] : 0);
       const double share = lattice_.axes[axis].lower_share(I[axis]);
       const double nu_face = !has_below ? nu[1] : !has_above ? nu[0] : share * nu[0] + (1 - share) * nu[1];
-      const int component = model_.gas_velocity(axis);
+      const int component = model_.component<GasMomentum>(axis);
       x[lattice_.owned(I) * unknowns + component] -= difference / lattice_.control_length(axis, I) / (1 - nu_face) /
                                                      model_.fields()[static_cast<std::size_t>(component)].scale;
     }

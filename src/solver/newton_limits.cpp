@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
@@ -20,9 +22,9 @@ NewtonLimits::NewtonLimits(const DiscreteProblem& problem)
       nu_max_(problem.setup().solids.friction.nu_max),
       chi_max_(maximum_chi(problem.setup().solids.friction)) {
   for (const Field& field : problem.model().fields()) {
-    if (field.symbol == "nu") nu_ = field.component;
-    if (field.symbol == "T") T_ = field.component;
-    if (field.symbol == "chi") chi_ = field.component;
+    if (field.is<SolidsContinuity>()) nu_ = field.component;
+    if (field.is<GranularEnergy>()) T_ = field.component;
+    if (field.is<FrictionRelaxation>()) chi_ = field.component;
   }
 }
 

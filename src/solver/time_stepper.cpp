@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "scree/balances/layout.hpp"
 #include "scree/solver/line_search.hpp"
 
 namespace scree {
@@ -354,9 +355,10 @@ PetscErrorCode TimeStepper::norm_of_evolving(Vec difference, double* norm) const
   const int unknowns = problem_.model().unknowns();
   std::vector<int> everywhere, with_particles;
   for (const Field& field : problem_.model().fields()) {
-    if (field.symbol == "nu" || (field.symbol == "u" && gas_alone))
+    const ErrorNorm counts = field.unknown->error;
+    if (counts == ErrorNorm::everywhere || (counts == ErrorNorm::gas_alone && gas_alone))
       everywhere.push_back(field.component);
-    else if (field.symbol != "p_g" && field.symbol != "u")
+    else if (counts == ErrorNorm::with_particles)
       with_particles.push_back(field.component);
   }
   PetscInt size, local_size;

@@ -328,7 +328,7 @@ void run(const std::string& directory) {
   }
   System system(problem, state, time, options.dt);
   const char* preset = name_of(scene.solver.preset);
-  check(apply_preset(preset, problem.model().unknowns(), problem.model().gas_pressure()));
+  check(apply_preset(preset, problem.model().unknowns(), problem.model().component<GasContinuity>()));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();

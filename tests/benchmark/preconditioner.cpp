@@ -17,8 +17,8 @@ class DevelopedFlow {
       : case_(read_scene(scene, refine)), problem_(problem_setup(case_)) {
     check(problem_.create(PETSC_COMM_SELF, 0));
     const Model& model = problem_.model();
-    const bool gas = model.gas_pressure() >= 0;
-    check(apply_preset(gas ? "fieldsplit" : "multigrid", model.unknowns(), model.gas_pressure()));
+    const bool gas = model.component<GasContinuity>() >= 0;
+    check(apply_preset(gas ? "fieldsplit" : "multigrid", model.unknowns(), model.component<GasContinuity>()));
     StepControl control;
     control.step_initial = case_.time.step_initial;
     stepper_ = std::make_unique<TimeStepper>(problem_, control);

@@ -65,9 +65,9 @@ inline constexpr std::array<int, max_dim> sample_cells{6, 4, 3};
 
 inline Condition sample_inlet() {
   Condition inlet = condition(BoundaryKind::inlet, {0.03, -0.02, 0.01});
-  inlet.solids_fraction = 0.56;
-  inlet.granular_temperature = 2e-4;
-  inlet.chi = 0.9;
+  inlet.bring(SolidsContinuity::unknown, 0.56);
+  inlet.bring(GranularEnergy::unknown, 2e-4);
+  inlet.bring(FrictionRelaxation::unknown, 0.9);
   inlet.gas_velocity = 0.04;
   return inlet;
 }

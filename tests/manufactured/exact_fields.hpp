@@ -72,7 +72,7 @@ struct ExactFields {
       q.T = q.T + Jet(T_gradient_at_wall) * distance;
       for (int a = 0; a < dim; ++a) q.v[a] = q.v[a] + Jet(a == 1 ? 1.5 * V / length : shear_at_wall) * distance;
     }
-    if (tests_side && darcy && brings_gas(kind)) q.p = q.p + Jet(inlet_gradient * length) * X[1];
+    if (tests_side && darcy && kind.brings_gas()) q.p = q.p + Jet(inlet_gradient * length) * X[1];
     if (is(BoundaryKind::gas_inlet)) q.u[1] = Jet(gas_inflow) * reciprocal(Jet(1) - q.nu) + q.u[1];
     return q;
   }
@@ -99,7 +99,7 @@ struct ExactFields {
     if (is(BoundaryKind::symmetry)) return Shape::even;
     if (is(BoundaryKind::open)) return Shape::held;
     if (!tests_side || !darcy) return Shape::plain;
-    return brings_gas(kind) ? Shape::flat : Shape::even;
+    return kind.brings_gas() ? Shape::flat : Shape::even;
   }
   Shape v_shape(bool normal) const {
     if (!tests_side) return Shape::plain;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "exact_fields.hpp"
+#include "scree/assembly/parameters.hpp"
 #include "scree/closures/drag.hpp"
 #include "scree/closures/stress.hpp"
 #include "scree/closures/wall.hpp"
-#include "scree/assembly/parameters.hpp"
 
 namespace scree::test {
 

@@ -38,13 +38,13 @@ Condition tested_condition(const SpaceCase& c, const ExactFields& exact) {
   if (c.kind == BoundaryKind::inlet) {
     const Point q = exact.at({0, 0, 0}, 0);
     for (int a = 0; a < c.dim; ++a) result.velocity[a] = q.v[a].value;
-    result.solids_fraction = q.nu.value;
-    result.granular_temperature = q.T.value;
-    result.chi = q.chi.value;
+    result.bring(SolidsContinuity::unknown, q.nu.value);
+    result.bring(GranularEnergy::unknown, q.T.value);
+    result.bring(FrictionRelaxation::unknown, q.chi.value);
     result.gas_velocity = (1 - q.nu.value) * q.u[1].value;
   }
   if (c.kind == BoundaryKind::gas_inlet) result.gas_velocity = exact.gas_inflow;
-  if (c.gas == GasModel::darcy && brings_gas(c.kind)) {
+  if (c.gas == GasModel::darcy && c.kind.brings_gas()) {
     const Point q = exact.at({0, 0, 0}, 0);
     const double gradient = q.p.first[1],
                  mobility = darcy_mobility(q.nu.value, gradient * gradient, ModelParameters().darcy_solids_fraction,

@@ -25,7 +25,7 @@ class Measures {
     double least, greatest;
   };
   Range range(Vec state, const Field& field) const;
-  double greatest_speed(Vec state, const std::string& symbol) const;
+  double greatest_speed(Vec state, const Unknown& velocity) const;
   double bed_height(Vec state) const;
 
   const Case& scene_;

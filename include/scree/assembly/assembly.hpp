@@ -2,8 +2,8 @@
 /// layouts that use it.
 #pragma once
 
+#include "scree/assembly/entries.hpp"
 #include "scree/assembly/kernel.hpp"
-#include "scree/model/model.hpp"
 #include "scree/assembly/scene.hpp"
 
 namespace scree {
@@ -25,8 +25,6 @@ struct Dependences {
 
 /// The place of unknowns, their scales and the rows that are balances, and the visitors of kernels.
 struct Assembly {
-  static constexpr int most_unknowns = 10;  ///< a node
-
   Scene scene;
   int unknowns;                                        ///< a node
   std::array<double, most_unknowns> scale, row_scale;  ///< of unknowns and of rows, one a component

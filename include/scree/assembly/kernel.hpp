@@ -19,6 +19,9 @@
 
 namespace scree {
 
+/// The most unknowns that a node may have: rows that are balances are bits of 16.
+inline constexpr int most_unknowns = 16;
+
 /// An unknown that a kernel reads: component and cell relative to the anchor.
 struct Input {
   int component = 0;
@@ -62,7 +65,7 @@ template <class Kernel>
 struct StencilTable {
   static constexpr int reach = 3;
   static constexpr int width = 2 * reach + 1;
-  static constexpr int components = 10;
+  static constexpr int components = most_unknowns;
   std::array<std::int8_t, static_cast<std::size_t>(components* width* width* width)> position{};
 
   static constexpr std::size_t code(int component, const Index& offset) {

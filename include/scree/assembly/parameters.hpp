@@ -27,12 +27,4 @@ struct ModelParameters {
   double void_drag_time = 1e-2;         ///< t_d of that drag [s]
 };
 
-/// Scales that make unknowns and residuals dimensionless: SI value = scale * stored value.
-struct Scales {
-  double velocity = 0.1;  ///< V; granular temperature is scaled by V^2 [m/s]
-  double time = 1e-2;     ///< V/g; momentum is scaled by density V/time, i.e. rho_s g [s]
-  double density =
-      2900;  ///< of the particles, or of the gas in scenes without particles; p_g is scaled by it times V^2
-};
-
 }  // namespace scree

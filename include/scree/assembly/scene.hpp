@@ -1,22 +1,23 @@
 /// What kernels know of the scene beside the unknowns: grid, conditions at faces, parameters.
 #pragma once
 
-#include "scree/boundary/barriers.hpp"
 #include "scree/assembly/parameters.hpp"
+#include "scree/boundary/barriers.hpp"
+#include "scree/grid/metrics.hpp"
 
 namespace scree {
 
-struct Scene {
-  const Lattice& lattice;
+struct Scene : Metrics {
   const Barriers& barriers;
   const ModelParameters& model;
   const SolidsParameters& solids;
   double time = 0;                               ///< for flows of gas that are given as functions of time [s]
   std::array<double, max_dim> gravity{0, 0, 0};  ///< as it is felt in the box, which may vibrate [m/s2]
-  /// False where the kernels of an anchor meet no barrier: the questions below are then answered without a look.
-  bool near = true;
 
-  const Axis& axis(int a) const { return lattice.axes[static_cast<std::size_t>(a)]; }
+  Scene(const Lattice& lattice_, const Barriers& barriers_, const ModelParameters& model_,
+        const SolidsParameters& solids_)
+      : Metrics{lattice_}, barriers(barriers_), model(model_), solids(solids_) {}
+
   const GasParameters& gas() const { return solids.gas; }
   void set_time(double t) {
     time = t;
@@ -25,26 +26,13 @@ struct Scene {
       gravity[a] = model.gravity[a] + omega * omega * std::sin(omega * time) * model.vibration_amplitude[a];
   }
 
-  // As in Barriers and Lattice.
+  // As in Barriers.
   bool barrier(int a, const Index& I) const { return near && barriers.at(a, I); }
+  /// The condition at a face that is a barrier.
+  const Condition& condition(int a, const Index& I) const { return barriers.condition(a, I); }
+  const BoundaryKind& kind(int a, const Index& I) const { return barriers.condition(a, I).kind; }
   bool wall(int a, const Index& I) const { return near && barriers.wall(a, I); }
-  bool inside(const Index& I) const { return !near || lattice.inside(I); }
-  bool is_face(int a, const Index& I) const { return !near || lattice.is_face(a, I); }
-  bool on_side(int a, const Index& I) const { return near && lattice.on_side(a, I); }
-  double control_length(int a, const Index& I) const {
-    return near ? lattice.control_length(a, I) : axis(a).distance(I[a]);
-  }
 };
-
-/// Mean over the two cells about the lower `axis` face of I, weighted by their shares in its control volume.
-template <class Number>
-Number face_mean(const Scene& scene, int axis, const Index& I, const Number& below, const Number& above) {
-  const double share = scene.axis(axis).lower_share(I[axis]);
-  return share * below + (1 - share) * above;
-}
-
-/// Whether the box lies above the side that carries the lower `axis` face of I.
-inline bool box_above(const Scene& scene, int axis, const Index& I) { return !scene.inside(I - unit(axis)); }
 
 /// nu at the lower `axis` face of I + at: the mean of its cells, on a side of the box that of the cell inside.
 template <class L, class Q>
@@ -54,22 +42,9 @@ auto face_solids_fraction(const Scene& scene, const Index& I, const Q& q, int ax
   return face_mean(scene, axis, I + at, q(L::nu, below), q(L::nu, at));
 }
 
-/// Whether plane I[axis] of faces is an end of the box, whatever the other coordinates.
-inline bool on_side_of_axis(const Scene& scene, int axis, const Index& I) {
-  return !scene.axis(axis).periodic() && (I[axis] == 0 || I[axis] == scene.axis(axis).cells());
-}
-
 /// Whether gas cannot pass the lower `axis` face of I.
 inline bool closed_to_gas(const Scene& scene, int axis, const Index& I) {
-  return scene.barrier(axis, I) && stops_gas(scene.barriers.condition(axis, I).kind);
-}
-
-/// Share of cell I in the control volume about its lower (side 0) or upper (side 1) `axis` face.
-inline double share_of_cell(const Scene& scene, int axis, const Index& I, int side) {
-  const Index face = I + side * unit(axis);
-  if (scene.on_side(axis, face)) return 1;
-  const double below = scene.axis(axis).lower_share(face[axis]);
-  return side == 0 ? 1 - below : below;
+  return scene.barrier(axis, I) && scene.kind(axis, I).stops_gas();
 }
 
 }  // namespace scree

@@ -9,13 +9,6 @@
 
 namespace scree {
 
-/// Whether a condition keeps the particles back.
-inline bool is_wall(BoundaryKind kind) { return kind != BoundaryKind::open && kind != BoundaryKind::inlet; }
-/// Whether a condition keeps the gas back.
-inline bool stops_gas(BoundaryKind kind) { return is_wall(kind) && kind != BoundaryKind::gas_inlet; }
-/// Whether a condition brings in a given flow of gas.
-inline bool brings_gas(BoundaryKind kind) { return kind == BoundaryKind::inlet || kind == BoundaryKind::gas_inlet; }
-
 /// Conditions of the faces that a rank sees.
 class Barriers {
  public:
@@ -30,7 +23,8 @@ class Barriers {
   }
   /// Whether a side of the box, or a part of one, is open: the same on all ranks.
   bool some_open() const { return some_open_; }
-  bool wall(int axis, const Index& I) const { return at(axis, I) && is_wall(condition(axis, I).kind); }
+  /// Whether it keeps the particles back.
+  bool wall(int axis, const Index& I) const { return at(axis, I) && condition(axis, I).kind.stops_solids(); }
   /// Whether some face within the width of the ghost layer from I, in any direction, carries a condition.
   bool near(const Index& I) const { return near_[lattice_->ghosted(I)] != 0; }
 

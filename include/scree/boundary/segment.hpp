@@ -1,32 +1,19 @@
-/// What closes the box: named segments of its sides and named internal plates.
-///
-/// kind                  particles: normal      tangential                  nu, T, chi
-/// wall_johnson_jackson  that of the wall       Coulomb + collisions (25)   no flux; q from (26)
-/// wall_free_slip        that of the wall       no shear                    no flux
-/// wall_no_slip          that of the wall       that of the wall            no flux
-/// symmetry              zero                   no shear                    no flux
-/// open                  zero normal gradient   no shear                    outflow carried out, inflow brings nu = 0
-/// inlet                 prescribed             that of the inlet           prescribed values carried in
-/// gas_inlet             zero                   no shear                    no flux
-///
-/// kind                  gas: normal            tangential                  p_g
-/// walls                 that of the wall       free slip, or none          no condition
-/// symmetry              zero                   no shear                    no condition
-/// open                  from (4)               no shear                    prescribed, over that of still gas outside
-/// inlet, gas_inlet      superficial velocity prescribed, none along the side, no condition
+/// What closes the box: named segments of its sides and named internal plates, each with a condition of some kind
+/// (kind.hpp).
 #pragma once
 
 #include <array>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "scree/boundary/kind.hpp"
 #include "scree/closures/wall.hpp"
 #include "scree/grid/box.hpp"
+#include "scree/grid/unknown.hpp"
 
 namespace scree {
-
-enum class BoundaryKind { wall_johnson_jackson, wall_free_slip, wall_no_slip, symmetry, open, inlet, gas_inlet };
 
 /// A rectangle in the plane of a side or plate; an interval in two dimensions. The entries of the normal axis are
 /// unused.
@@ -52,10 +39,8 @@ struct Condition {
   std::string name;
   BoundaryKind kind = BoundaryKind::wall_johnson_jackson;
   std::array<double, max_dim> velocity{0, 0, 0};  ///< of the wall, or of the particles that an inlet brings [m/s]
-  double solids_fraction = 0;                     ///< inlet only [-]
-  double granular_temperature = 0;                ///< inlet only [m2/s2]
-  double chi = 1;                                 ///< inlet only [-]
-  WallParameters wall;                            ///< wall_johnson_jackson only
+  std::vector<std::pair<const Unknown*, double>> brings;  ///< scalars that come in where the kind prescribes them [SI]
+  WallParameters wall;                                    ///< wall_johnson_jackson only
   double gas_velocity = 0;         ///< inlet and gas_inlet: superficial velocity of the gas into the box [m/s]
   int gas_profile_axis = 0;        ///< axis along the side in which that varies
   Ramp gas_profile;                ///< its factor along that axis
@@ -65,6 +50,18 @@ struct Condition {
   bool gas_no_slip = false;        ///< walls only: the gas sticks to the wall; acts where the gas has viscous stress
   double from = -std::numeric_limits<double>::infinity();  ///< start of the time window [s]
   double until = std::numeric_limits<double>::infinity();  ///< end of the time window [s]
+
+  /// What comes in of a scalar of the particles [SI].
+  double brought(const Unknown& unknown) const {
+    for (const auto& [of, value] : brings)
+      if (of == &unknown) return value;
+    return unknown.inlet.otherwise;
+  }
+  void bring(const Unknown& unknown, double value) {
+    for (auto& [of, brought] : brings)
+      if (of == &unknown) return void(brought = value);
+    brings.emplace_back(&unknown, value);
+  }
 };
 
 /// Superficial velocity of the gas that `condition` lets into the box at a place on its side and a time [m/s].

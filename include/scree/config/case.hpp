@@ -5,18 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "scree/assembly/parameters.hpp"
 #include "scree/boundary/segment.hpp"
 #include "scree/closures/friction.hpp"
 #include "scree/closures/gas.hpp"
 #include "scree/closures/kinetic.hpp"
 #include "scree/closures/wall.hpp"
-#include "scree/assembly/parameters.hpp"
+#include "scree/config/catalogue.hpp"
 #include "scree/grid/box.hpp"
+#include "scree/grid/unknown.hpp"
 
 namespace scree {
 
 enum class TimeScheme { beuler, bdf, arkimex };
 enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
+
+/// A value of an unknown at t = 0 [SI]; vectors have one an axis.
+struct InitialValue {
+  const Unknown* unknown = nullptr;
+  std::array<double, max_dim> value{0, 0, 0};
+};
 
 /// Values of a region at t = 0; regions are applied in the order of the list.
 struct InitialRegion {
@@ -31,15 +39,17 @@ struct InitialRegion {
   std::string table;             ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
   Ramp table_values;             ///< what it holds: factor is the solids fraction
   int table_axis = 0;
-  bool has_solids_fraction = false, has_velocity = false, has_temperature = false, has_chi = false,
-       has_gas_velocity = false;
-  double solids_fraction = 0;
-  std::array<double, max_dim> velocity{0, 0, 0};
+  std::vector<InitialValue> values;  ///< of the unknowns that the region gives; the others stay as they are
   std::array<double, max_dim * max_dim>
       velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
-  double granular_temperature = 0;
-  double chi = 1;
-  std::array<double, max_dim> gas_velocity{0, 0, 0};  ///< u before it is made consistent with (2) [m/s]
+
+  /// Whether nu comes from a table or a profile.
+  bool has_own_solids_fraction() const { return profile != Profile::uniform || !table.empty(); }
+  const InitialValue* find(const Unknown& unknown) const {
+    for (const InitialValue& entry : values)
+      if (entry.unknown == &unknown) return &entry;
+    return nullptr;
+  }
 };
 
 /// A named point at which monitor.csv reports fields.
@@ -96,6 +106,7 @@ struct SolverParameters {
 };
 
 struct Case {
+  Catalogue catalogue;  ///< what its options may choose from
   Box box;
   ModelParameters model;
   KineticParameters kinetic;

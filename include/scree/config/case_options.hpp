@@ -55,6 +55,12 @@ OptionSet::Choices<int> axis_choices(const OptionSet& o, int dim);
 /// lower, upper for each axis but `normal` (-1: for all) in order, as a patch; an empty list is the whole.
 Patch patch_from(const std::vector<double>& coordinates, int normal, int dim, std::size_t first = 0);
 
+/// Unit of the option for an unknown, and the numbers that it accepts.
+std::string option_unit(const Unknown& unknown);
+Range range_of(Allowed allowed, const Case& scene);
+/// Why the scene has no such unknown; empty: it has.
+std::string absence(const Case& scene, const Unknown& unknown);
+
 /// All options in the order of a case file.
 void declare_all(OptionSet& o, GridInput& grid, Case& scene);
 

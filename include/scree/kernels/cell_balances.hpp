@@ -2,8 +2,8 @@
 /// temperature (9), relaxation of chi (23), drag (6) on both phases.
 #pragma once
 
-#include "scree/kernels/cell_strain.hpp"
 #include "scree/closures/voids.hpp"
+#include "scree/kernels/cell_strain.hpp"
 
 namespace scree {
 
@@ -51,16 +51,18 @@ struct CellBalances {
                       CellClosure::chi_star, CellClosure::drag, CellClosure::drag_over_nu>(scene, I, q, strain);
 
     for (int a = 0; a < L::dim; ++a) {
-      const Number sigma = p - 2.0 * mu * strain.S(a);
-      r[2 * a] += sigma / scene.axis(a).distance(I[a]);
-      r[2 * a + 1] -= sigma / scene.axis(a).distance(I[a] + 1);
+      const Number sigma = SolidsMomentum::normal_stress(p, mu, strain.S(a));
+      r[2 * a] += out_of_control_volume(scene, a, I, sigma);
+      r[2 * a + 1] -= out_of_control_volume(scene, a, I + unit(a), sigma);
     }
-    r[nu_row] += q.dot(L::nu);
+    r[nu_row] += SolidsContinuity::storage(q.dot(L::nu));
 
     const Number floor = void_floor(q(L::nu), scene.model.void_fraction_floor), stored = q(L::nu) + floor;
-    if constexpr (L::has_T) r[T_row] += 1.5 * scene.solids.kinetic.rho_s * stored * q.dot(L::T) - energy;
+    if constexpr (L::has_T)
+      r[T_row] += GranularEnergy::storage(scene.solids.kinetic.rho_s, stored, q.dot(L::T)) - energy;
     if constexpr (L::has_chi)
-      r[chi_row] += stored * (q.dot(L::chi) - chi_source(q(L::chi), chi_star, scene.solids.friction));
+      r[chi_row] += FrictionRelaxation::storage_less_source(stored, q.dot(L::chi),
+                                                            chi_source(q(L::chi), chi_star, scene.solids.friction));
     if constexpr (L::has_u) add_drag(scene, I, q, beta, Number(beta + floor * beta_over_nu), r);
   }
 
@@ -75,8 +77,8 @@ struct CellBalances {
     for (int a = 0; a < L::dim; ++a)
       for (int side = 0; side < 2; ++side) {
         const Number w = share_of_cell(scene, a, I, side) * slip<L>(q, a, side * unit(a));
-        r[2 * a + side] -= on_v * w;
-        r[u_row + 2 * a + side] += beta * w;
+        r[2 * a + side] -= SolidsMomentum::drag(on_v, Number(w));
+        r[u_row + 2 * a + side] += GasMomentum::drag(beta, Number(w));
       }
   }
 };

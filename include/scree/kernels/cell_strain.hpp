@@ -43,10 +43,8 @@ inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, con
       const auto look = [&](int axis, int side, int& from) {
         const Index face = I + side * unit(axis);
         if (!scene.barrier(axis, face)) return;
-        const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
         const bool between = scene.barrier(axis, I + (1 - side) * unit(axis));
-        free = free || between || kind == BoundaryKind::wall_free_slip || kind == BoundaryKind::gas_inlet ||
-               kind == BoundaryKind::symmetry;
+        free = free || between || scene.kind(axis, face).solids_tangential == SolidsTangential::free;
         from = 1 - side;
       };
       look(a, side_a, from_a);
@@ -61,8 +59,8 @@ template <class L, class Q>
 [[gnu::always_inline]] inline auto shear_rate(const Scene& scene, const Index& I, const Q& q, int a, int b,
                                               const Index& at) {
   const Index edge = I + at;
-  return 0.5 * ((q(L::v(a), at) - q(L::v(a), at - unit(b))) / scene.axis(b).distance(edge[b]) +
-                (q(L::v(b), at) - q(L::v(b), at - unit(a))) / scene.axis(a).distance(edge[a]));
+  return 0.5 * (difference_at_face(scene, b, edge, q(L::v(a), at - unit(b)), q(L::v(a), at)) +
+                difference_at_face(scene, a, edge, q(L::v(b), at - unit(a)), q(L::v(b), at)));
 }
 
 template <class Number, int dim>
@@ -82,7 +80,7 @@ auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
   strain.div_v = Number(0.0);
   strain.S_S = Number(0.0);
   for (int a = 0; a < L::dim; ++a) {
-    strain.D[a] = (q(L::v(a), unit(a)) - q(L::v(a))) / scene.axis(a).width(I[a]);
+    strain.D[a] = difference_in_cell(scene, a, I, q(L::v(a)), q(L::v(a), unit(a)));
     strain.div_v += strain.D[a];
     strain.S_S += strain.D[a] * strain.D[a];
   }

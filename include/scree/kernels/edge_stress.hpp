@@ -57,21 +57,21 @@ struct EdgeStress {
         through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
                     const auto& slip_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
                 nu, T, chi, div_v, S_S, slip_squared);
-    const Number sigma = -2.0 * mu * D_ab;
+    const Number sigma = SolidsMomentum::shear_stress(mu, D_ab);
 
     const bool near = scene.near;
     const Number on_a = (near ? open_share(scene, I, a, b) : 1.0) * sigma;
     const Number on_b = (near ? open_share(scene, I, b, a) : 1.0) * sigma;
-    r[0] += on_a / scene.axis(b).width(I[b] - 1);
-    r[1] -= on_a / scene.axis(b).width(I[b]);
-    r[2] += on_b / scene.axis(a).width(I[a] - 1);
-    r[3] -= on_b / scene.axis(a).width(I[a]);
+    r[0] += out_of_cell(scene, b, I - e_b, on_a);
+    r[1] -= out_of_cell(scene, b, I, on_a);
+    r[2] += out_of_cell(scene, a, I - e_a, on_b);
+    r[3] -= out_of_cell(scene, a, I, on_b);
   }
 
  private:
   /// Open share of the face between the control volumes of momentum `axis` below and above the edge along `across`.
   static double open_share(const Scene& scene, const Index& I, int axis, int across) {
-    const double below = scene.axis(axis).lower_share(I[axis]);
+    const double below = scene.lower_share(axis, I);
     return (scene.barrier(across, I - unit(axis)) ? 0 : below) + (scene.barrier(across, I) ? 0 : 1 - below);
   }
 
@@ -79,7 +79,7 @@ struct EdgeStress {
   /// crosswise.
   template <class Value>
   static auto mean(const Scene& scene, const Index& I, Value&& value) {
-    const double far_a = scene.axis(a).lower_share(I[a]), far_b = scene.axis(b).lower_share(I[b]);
+    const double far_a = scene.lower_share(a, I), far_b = scene.lower_share(b, I);
     return std::decay_t<decltype(value(Index{}))>(
         (1 - far_a) * (1 - far_b) * value(cells[0]) + far_a * (1 - far_b) * value(cells[1]) +
         (1 - far_a) * far_b * value(cells[2]) + far_a * far_b * value(cells[3]));
@@ -93,8 +93,7 @@ struct EdgeStress {
     Number div_v(0.0), S_S = 2.0 * D_ab * D_ab;
     for (int axis = 0; axis < L::dim; ++axis) {
       const Number D = mean(scene, I, [&](const Index& cell) {
-        return Number((q(L::v(axis), cell + unit(axis)) - q(L::v(axis), cell)) /
-                      scene.axis(axis).width(I[axis] + cell[axis]));
+        return difference_in_cell(scene, axis, I + cell, q(L::v(axis), cell), q(L::v(axis), cell + unit(axis)));
       });
       div_v += D;
       S_S += D * D;

@@ -1,9 +1,9 @@
-/// What acts at a velocity: inertia rho_s nu dv/dt and gravity of (3), and the regularisation of voids.
+/// What acts at a velocity of the particles: inertia and weight of (3), and the regularisation of voids.
 #pragma once
 
 #include "scree/assembly/kernel.hpp"
-#include "scree/assembly/layout.hpp"
 #include "scree/assembly/scene.hpp"
+#include "scree/balances/layout.hpp"
 #include "scree/closures/voids.hpp"
 
 namespace scree {
@@ -36,8 +36,9 @@ struct FaceForces {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
     const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number floor = void_floor(nu, scene.model.void_fraction_floor);
-    r[0] += rho_s * (nu + floor) * q.dot(L::v(axis)) - ((rho_s - rho_g) * scene.gravity[axis]) * nu;
-    if constexpr (!L::has_u) r[0] += (rho_s / scene.model.void_drag_time) * floor * q(L::v(axis));
+    r[0] += SolidsMomentum::inertia(rho_s, Number(nu + floor), q.dot(L::v(axis))) -
+            SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
+    if constexpr (!L::has_u) r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
   }
 };
 

@@ -13,7 +13,7 @@ inline double given_gas_flux(const Scene& scene, int axis, const Index& I) {
   const Index cell = above ? I : I - unit(axis);
   std::array<double, max_dim> place{};
   for (int a = 0; a < scene.lattice.dim; ++a) place[a] = scene.axis(a).centre(cell[a]);
-  return (above ? 1 : -1) * gas_inflow(scene.barriers.condition(axis, I), place, scene.time);
+  return (above ? 1 : -1) * gas_inflow(scene.condition(axis, I), place, scene.time);
 }
 
 /// Adds the inputs of gas_flux for the lower `axis` face of anchor + at.
@@ -37,9 +37,9 @@ auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const In
   if (closed_to_gas(scene, axis, face)) return Number(0.0);
   const Number nu = face_solids_fraction<L>(scene, I, q, axis, at);
   if constexpr (L::has_u) {
-    return Number((1.0 - nu) * q(L::u(axis), at));
+    return GasContinuity::flux(nu, q(L::u(axis), at));
   } else {
-    if (scene.barrier(axis, face) && brings_gas(scene.barriers.condition(axis, face).kind))
+    if (scene.barrier(axis, face) && scene.kind(axis, face).brings_gas())
       return Number(given_gas_flux(scene, axis, face));
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
     const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
@@ -48,7 +48,7 @@ auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const In
           return darcy_mobility(nu_, squared_, scene.model.darcy_solids_fraction, scene.solids.kinetic.d, scene.gas());
         },
         nu, squared);
-    return Number((1.0 - nu) * (q(L::v(axis), at) - mobility * gradient));
+    return GasContinuity::flux(nu, Number(q(L::v(axis), at) - mobility * gradient));
   }
 }
 

@@ -41,11 +41,13 @@ struct GasForces {
     const Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, Index{});
     if constexpr (L::has_u) {
-      r[0] += nu * gradient;
-      r[1] += (1.0 - nu) * (gradient + scene.gas().rho_g * q.dot(L::u(axis)));
+      r[0] += SolidsMomentum::gas_pressure(nu, gradient);
+      r[1] +=
+          GasMomentum::pressure_and_inertia(nu, gradient, GasMomentum::inertia(scene.gas().rho_g, q.dot(L::u(axis))));
     } else {
       const double floor = scene.model.darcy_solids_fraction;
-      r[0] += nu * (1.0 + (1.0 - nu) / sqrt(nu * nu + floor * floor)) * gradient;
+      const Number with_drag = nu * (1.0 + (1.0 - nu) / sqrt(nu * nu + floor * floor));
+      r[0] += SolidsMomentum::gas_pressure(with_drag, gradient);
     }
   }
 };

@@ -2,10 +2,10 @@
 /// where u is an unknown, from the gradient of p_g where it is not (gas darcy).
 #pragma once
 
-#include "scree/closures/drag.hpp"
 #include "scree/assembly/kernel.hpp"
-#include "scree/assembly/layout.hpp"
 #include "scree/assembly/scene.hpp"
+#include "scree/balances/layout.hpp"
+#include "scree/closures/drag.hpp"
 
 namespace scree {
 
@@ -19,13 +19,14 @@ template <class L, class Q>
   using Number = std::decay_t<decltype(q(L::p))>;
   const Index face = I + at;
   if (scene.barrier(axis, face)) {
-    const Condition& condition = scene.barriers.condition(axis, face);
-    if (condition.kind != BoundaryKind::open) return Number(0.0);
-    const double length = scene.control_length(axis, face);
-    return box_above(scene, axis, face) ? Number((q(L::p, at) - condition.gas_pressure) / length)
-                                        : Number((condition.gas_pressure - q(L::p, at - unit(axis))) / length);
+    const Condition& condition = scene.condition(axis, face);
+    if (condition.kind.gas_pressure != GasPressure::prescribed) return Number(0.0);
+    const double outside = condition.gas_pressure;
+    return out_of_control_volume(
+        scene, axis, face,
+        box_above(scene, axis, face) ? Number(q(L::p, at) - outside) : Number(outside - q(L::p, at - unit(axis))));
   }
-  return Number((q(L::p, at) - q(L::p, at - unit(axis))) / scene.axis(axis).distance(face[axis]));
+  return difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at));
 }
 
 /// Inputs of pressure_gradient_squared at the lower `axis` face of anchor + at.
@@ -44,9 +45,7 @@ template <class L, class Q>
 auto cell_gradient(const Scene& scene, const Index& I, const Q& q, int b, const Index& at) {
   const auto lower = pressure_gradient<L>(scene, I, q, b, at),
              upper = pressure_gradient<L>(scene, I, q, b, at + unit(b));
-  const auto is_inlet = [&](const Index& face) {
-    return scene.barrier(b, face) && brings_gas(scene.barriers.condition(b, face).kind);
-  };
+  const auto is_inlet = [&](const Index& face) { return scene.barrier(b, face) && scene.kind(b, face).brings_gas(); };
   const double share = is_inlet(I + at) ? 0 : is_inlet(I + at + unit(b)) ? 1 : 0.5;
   return share * lower + (1 - share) * upper;
 }

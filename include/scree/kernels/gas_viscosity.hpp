@@ -12,11 +12,11 @@ constexpr std::array<Output, 4> gas_stress_rows(int axis, const Index& before, c
   return {{{L::u(axis), before}, {L::v(axis), before}, {L::u(axis), behind}, {L::v(axis), behind}}};
 }
 
-/// Adds the force of a stress to the balances of u and v at one place.
+/// Adds the divergence of a stress to the balances of u and v at one place.
 template <class Number>
-void add_gas_stress(const Number& nu, const Number& force, Number& gas, Number& particles) {
-  gas += (1.0 - nu) * force;
-  particles += nu * force;
+void add_gas_stress(const Number& nu, const Number& divergence, Number& gas, Number& particles) {
+  gas += GasMomentum::viscous_stress(nu, divergence);
+  particles += SolidsMomentum::gas_stress(nu, divergence);
 }
 
 /// Normal stress along `axis`. Anchor I: cell I.
@@ -47,15 +47,15 @@ struct GasNormalStress {
                        std::array<Number, count>& r) {
     Number div_u(0.0), D(0.0);
     for (int a = 0; a < L::dim; ++a) {
-      const Number D_aa = (q(L::u(a), unit(a)) - q(L::u(a))) / scene.axis(a).width(I[a]);
+      const Number D_aa = difference_in_cell(scene, a, I, q(L::u(a)), q(L::u(a), unit(a)));
       div_u += D_aa;
       if (a == axis) D = D_aa;
     }
     const Number sigma = -2.0 * scene.gas().mu_g * (D - div_u / 3.0);
     const Number below = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number above = face_mean(scene, axis, I + e, q(L::nu), q(L::nu, e));
-    add_gas_stress(below, Number(sigma / scene.control_length(axis, I)), r[0], r[1]);
-    add_gas_stress(above, Number(-sigma / scene.control_length(axis, I + e)), r[2], r[3]);
+    add_gas_stress(below, out_of_control_volume(scene, axis, I, sigma), r[0], r[1]);
+    add_gas_stress(above, out_of_control_volume(scene, axis, I + e, Number(-sigma)), r[2], r[3]);
   }
 };
 
@@ -90,19 +90,18 @@ struct GasShearStress {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<GasShearStress, Number>& q,
                        std::array<Number, count>& r) {
-    const Axis &along = scene.axis(axis), &normal = scene.axis(across);
     const bool side = on_side_of_axis(scene, axis, I);
-    const double below = side ? (I[axis] == 0 ? 0 : 1) : along.lower_share(I[axis]);
+    const double below = side ? (I[axis] == 0 ? 0 : 1) : scene.lower_share(axis, I);
     const double open = below * share(scene, I - a) + (1 - below) * share(scene, I);
     Number rate(0.0);
     if (!on_side_of_axis(scene, across, I))
-      rate += (q(L::u(axis)) - q(L::u(axis), -1 * b)) / normal.distance(I[across]);
-    if (!side) rate += (q(L::u(across)) - q(L::u(across), -1 * a)) / along.distance(I[axis]);
+      rate += difference_at_face(scene, across, I, q(L::u(axis), -1 * b), q(L::u(axis)));
+    if (!side) rate += difference_at_face(scene, axis, I, q(L::u(across), -1 * a), q(L::u(across)));
     const Number sigma = -scene.gas().mu_g * open * rate;
     const Number before = face_mean(scene, axis, I, q(L::nu, -1 * a - b), q(L::nu, -1 * b));
     const Number behind = face_mean(scene, axis, I, q(L::nu, -1 * a), q(L::nu));
-    add_gas_stress(before, Number(sigma / normal.width(I[across] - 1)), r[0], r[1]);
-    add_gas_stress(behind, Number(-sigma / normal.width(I[across])), r[2], r[3]);
+    add_gas_stress(before, out_of_cell(scene, across, I - b, sigma), r[0], r[1]);
+    add_gas_stress(behind, out_of_cell(scene, across, I, Number(-sigma)), r[2], r[3]);
   }
 
  private:
@@ -110,7 +109,7 @@ struct GasShearStress {
   static int share(const Scene& scene, const Index& J) {
     const bool above = scene.inside(J), below = scene.inside(J - b);
     if (above == below) return above && !scene.barrier(across, J) ? 1 : 0;
-    return scene.barrier(across, J) && scene.barriers.condition(across, J).kind == BoundaryKind::open ? 1 : 0;
+    return scene.barrier(across, J) && scene.kind(across, J).open_to_gas() ? 1 : 0;
   }
 };
 
@@ -150,30 +149,28 @@ struct GasWallStress {
   static void evaluate(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q,
                        std::array<Number, count>& r) {
     for (int normal = 0; normal < L::dim; ++normal) {
-      const double width = scene.axis(normal).width(I[normal]);
       for (int side = 0; side < 2 && normal != along; ++side) {
         const Index face = I + side * unit(normal);
-        if (sticks(scene, normal, face))
-          add(scene, I, q, scene.gas().mu_g / (0.5 * width * width),
-              scene.barriers.condition(normal, face).velocity[along], r);
+        if (sticks(scene, normal, face)) add(scene, I, q, normal, scene.condition(normal, face).velocity[along], r);
       }
     }
   }
 
  private:
   static bool sticks(const Scene& scene, int normal, const Index& face) {
-    return normal != along && closed_to_gas(scene, normal, face) && scene.barriers.condition(normal, face).gas_no_slip;
+    return normal != along && closed_to_gas(scene, normal, face) && scene.condition(normal, face).gas_no_slip;
   }
 
-  /// The stress c (u - wall) on the halves of the control volumes of u that lie in this cell.
+  /// The stress of a wall normal to `normal` on the halves of the control volumes of u that lie in this cell.
   template <class Number, std::size_t count>
-  static void add(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q, double c, double wall,
+  static void add(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q, int normal, double wall,
                   std::array<Number, count>& r) {
     for (int side = 0; side < 2; ++side) {
       const Index at = side * t;
       const Number nu = face_mean(scene, along, I + at, q(L::nu, at - t), q(L::nu, at));
-      const Number force = c * share_of_cell(scene, along, I, side) * (q(L::u(along), at) - wall);
-      add_gas_stress(nu, force, r[2 * side], r[2 * side + 1]);
+      const Number stress = scene.gas().mu_g * difference_to_face(scene, normal, I, Number(wall), q(L::u(along), at));
+      const Number share = share_of_cell(scene, along, I, side) * stress;
+      add_gas_stress(nu, out_of_cell(scene, normal, I, share), r[2 * side], r[2 * side + 1]);
     }
   }
 };

@@ -4,14 +4,9 @@
 
 #include "scree/assembly/kernel.hpp"
 #include "scree/assembly/scene.hpp"
-#include "scree/grid/advection.hpp"
+#include "scree/balances/solids_continuity.hpp"
 
 namespace scree {
-
-/// Distances for advection of cell-centred values through face i.
-inline AdvectionMetrics cell_metrics(const Axis& axis, int i) {
-  return {axis.distance(i - 1), axis.distance(i), axis.distance(i + 1), 0.5 * axis.width(i - 1), 0.5 * axis.width(i)};
-}
 
 /// Adds the inputs of mass_flux for the lower `axis` face of anchor + at.
 template <class L, bool SecondOrder>
@@ -29,18 +24,18 @@ template <class L, bool SecondOrder, class Q>
   const Index e = unit(axis), face = I + at;
   const Number& v = q(L::v(axis), at);
   if (scene.barrier(axis, face)) {
-    const Condition& condition = scene.barriers.condition(axis, face);
-    if (is_wall(condition.kind)) return Number(0.0);
-    const double brought = condition.kind == BoundaryKind::inlet ? condition.solids_fraction : 0.0;
+    const Condition& condition = scene.condition(axis, face);
+    if (condition.kind.stops_solids()) return Number(0.0);
+    const double brought = condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0;
     const bool above = box_above(scene, axis, face);
     const bool inflow = above ? v >= 0.0 : v < 0.0;
-    return inflow ? Number(v * brought) : Number(v * q(L::nu, above ? at : at - e));
+    return inflow ? Number(v * brought) : SolidsContinuity::flux(v, q(L::nu, above ? at : at - e));
   }
   if constexpr (SecondOrder) {
-    return Number(v * limited_upwind(v, q(L::nu, at - 2 * e), q(L::nu, at - e), q(L::nu, at), q(L::nu, at + e),
-                                     cell_metrics(scene.axis(axis), face[axis])));
+    return SolidsContinuity::flux(v, limited_upwind(v, q(L::nu, at - 2 * e), q(L::nu, at - e), q(L::nu, at),
+                                                    q(L::nu, at + e), cell_metrics(scene, axis, face)));
   } else {
-    return Number(v * upwind(v, q(L::nu, at - e), q(L::nu, at)));
+    return SolidsContinuity::flux(v, upwind(v, q(L::nu, at - e), q(L::nu, at)));
   }
 }
 

@@ -9,6 +9,7 @@ namespace scree {
 /// The particles as a phase that carries momentum.
 template <class L, bool SecondOrder>
 struct ParticlePhase {
+  using Balance = SolidsMomentum;
   static constexpr int dim = L::dim, nu = L::nu;
   static constexpr bool second_order = SecondOrder;
   static constexpr int velocity(int axis) { return L::v(axis); }
@@ -20,7 +21,8 @@ struct ParticlePhase {
   static auto flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
     return mass_flux<L, SecondOrder>(scene, I, q, axis, at);
   }
-  static bool stops(BoundaryKind kind) { return is_wall(kind); }
+  static bool stops(const BoundaryKind& kind) { return kind.stops_solids(); }
+  static bool brings(const BoundaryKind& kind) { return kind.brings_solids(); }
   /// Component `axis` of the velocity with which `condition` lets the phase in.
   static double brought(const Condition& condition, int axis) { return condition.velocity[axis]; }
   static constexpr bool enters_from_rest = false;  // particles fall in as they fell before
@@ -29,6 +31,7 @@ struct ParticlePhase {
 /// The gas as such a phase.
 template <class L, bool SecondOrder>
 struct GasPhase {
+  using Balance = GasMomentum;
   static constexpr int dim = L::dim, nu = L::nu;
   static constexpr bool second_order = SecondOrder;
   static constexpr int velocity(int axis) { return L::u(axis); }
@@ -40,7 +43,8 @@ struct GasPhase {
   static auto flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
     return gas_flux<L>(scene, I, q, axis, at);
   }
-  static bool stops(BoundaryKind kind) { return stops_gas(kind); }
+  static bool stops(const BoundaryKind& kind) { return kind.stops_gas(); }
+  static bool brings(const BoundaryKind& kind) { return kind.brings_gas(); }
   static double brought(const Condition&, int) { return 0; }  // inlets blow straight in
   static constexpr bool enters_from_rest = true;              // through open sides, from still gas outside
 };
@@ -80,38 +84,38 @@ struct NormalMomentumFlux {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<NormalMomentumFlux, Number>& q,
                        std::array<Number, count>& r) {
+    using Balance = typename Phase::Balance;
     const double rho = Phase::density(scene);
-    const Axis& x = scene.axis(axis);
-    const int i = I[axis];
     const Number F = 0.5 * (Phase::flux(scene, I, q, axis, {}) + Phase::flux(scene, I, q, axis, e));
     const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
     Number carried;
     if constexpr (Phase::second_order) {
-      // What is mirrored at a plate lies a width of this cell beyond it.
-      const double far_lower = x.width(scene.barrier(axis, I) ? i : i - 1);
-      const double far_upper = x.width(scene.barrier(axis, I + e) ? i : i + 1);
-      const AdvectionMetrics h{far_lower, x.width(i), far_upper, 0.5 * x.width(i), 0.5 * x.width(i)};
+      const AdvectionMetrics h = face_metrics(scene, axis, I, scene.barrier(axis, I), scene.barrier(axis, I + e));
       carried = limited_upwind(F, q(Phase::velocity(axis), -1 * e), below, above, q(Phase::velocity(axis), 2 * e), h);
     } else {
       carried = upwind(F, below, above);
     }
-    r[0] += rho * F * (carried - below) / scene.control_length(axis, I);
-    r[1] -= rho * F * (carried - above) / scene.control_length(axis, I + e);
+    r[0] += out_of_control_volume(scene, axis, I, Balance::advection(rho, F, carried, below));
+    r[1] -= out_of_control_volume(scene, axis, I + e, Balance::advection(rho, F, carried, above));
     if constexpr (Phase::enters_from_rest) {
       // What is accelerated from rest outside has lost rho u^2/2 of pressure at an open side. Without that eddies which
       // reach through the side feed on themselves.
-      if (lets_in_from_rest(scene, I))
-        r[0] += 0.5 * rho * positive(Phase::flux(scene, I, q, axis, {})) * below / scene.control_length(axis, I);
-      if (lets_in_from_rest(scene, I + e))
-        r[1] += 0.5 * rho * positive(-Phase::flux(scene, I, q, axis, e)) * above / scene.control_length(axis, I + e);
+      if (lets_in_from_rest(scene, I)) {
+        const Number inflow = positive(Phase::flux(scene, I, q, axis, {}));
+        r[0] += out_of_control_volume(scene, axis, I, Balance::entry_loss(rho, inflow, below));
+      }
+      if (lets_in_from_rest(scene, I + e)) {
+        const Number inflow = positive(Number(-Phase::flux(scene, I, q, axis, e)));
+        r[1] += out_of_control_volume(scene, axis, I + e, Balance::entry_loss(rho, inflow, above));
+      }
     }
   }
 
  private:
   static bool lets_in_from_rest(const Scene& scene, const Index& face) {
     if (!scene.barrier(axis, face)) return false;
-    const Condition& condition = scene.barriers.condition(axis, face);
-    return condition.kind == BoundaryKind::open && condition.gas_enters_at_rest;
+    const Condition& condition = scene.condition(axis, face);
+    return condition.kind.open_to_gas() && condition.gas_enters_at_rest;
   }
   template <class Number>
   static Number positive(const Number& x) {
@@ -142,7 +146,7 @@ struct CrossMomentumFlux {
 
   static bool active(const Scene& scene, const Index& I) {
     const auto closed = [&](const Index& face) {
-      return scene.barrier(across, face) && Phase::stops(scene.barriers.condition(across, face).kind);
+      return scene.barrier(across, face) && Phase::stops(scene.kind(across, face));
     };
     return scene.is_face(across, I) && scene.is_face(across, I - a) && !(closed(I) && closed(I - a));
   }
@@ -164,19 +168,19 @@ struct CrossMomentumFlux {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
                        std::array<Number, count>& r) {
+    using Balance = typename Phase::Balance;
     const double rho = Phase::density(scene);
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
-    const Axis& x = scene.axis(across);
     if (!scene.inside(I - b)) {
-      r[1] -= rho * brought_in(scene, I, q, above) / x.width(I[across]);
+      r[1] -= out_of_cell(scene, across, I, Number(rho * brought_in(scene, I, q, above)));
     } else if (!scene.inside(I)) {
-      r[0] += rho * brought_in(scene, I, q, below) / x.width(I[across] - 1);
+      r[0] += out_of_cell(scene, across, I - b, Number(rho * brought_in(scene, I, q, below)));
     } else {
       const Number F =
           face_mean(scene, axis, I, Phase::flux(scene, I, q, across, -1 * a), Phase::flux(scene, I, q, across, {}));
       const Number v = carried(scene, I, q, F);
-      r[0] += rho * F * (v - below) / x.width(I[across] - 1);
-      r[1] -= rho * F * (v - above) / x.width(I[across]);
+      r[0] += out_of_cell(scene, across, I - b, Balance::advection(rho, F, v, below));
+      r[1] -= out_of_cell(scene, across, I, Balance::advection(rho, F, v, above));
     }
   }
 
@@ -187,10 +191,10 @@ struct CrossMomentumFlux {
   static Number brought_in(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
                            const Number& own) {
     const auto half = [&](const Index& at) {
-      const Condition& condition = scene.barriers.condition(across, I + at);
+      const Condition& condition = scene.condition(across, I + at);
       const Number F = Phase::flux(scene, I, q, across, at);
       const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
-      if (!inflow || !brings_gas(condition.kind)) return Number(0.0);
+      if (!inflow || !Phase::brings(condition.kind)) return Number(0.0);
       return Number(F * (Phase::brought(condition, axis) - own));
     };
     return face_mean(scene, axis, I, half(-1 * a), half({}));
@@ -203,7 +207,7 @@ struct CrossMomentumFlux {
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
     if constexpr (Phase::second_order) {
       return limited_upwind(F, q(Phase::velocity(axis), -2 * b), below, above, q(Phase::velocity(axis), b),
-                            cell_metrics(scene.axis(across), I[across]));
+                            cell_metrics(scene, across, I));
     } else {
       return upwind(F, below, above);
     }

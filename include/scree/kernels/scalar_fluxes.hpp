@@ -7,6 +7,28 @@
 
 namespace scree {
 
+/// Value of a scalar of the particles that the volume flux F carries through the lower `axis` face of I: upstream of
+/// it, or what the condition brings in.
+template <class L, bool SecondOrder, class Balance, class Number, class Q>
+[[gnu::always_inline]] inline Number carried(const Scene& scene, const Index& I, const Q& q, int axis,
+                                             const Number& F) {
+  constexpr int component = L::template first<Balance>();
+  const Index e = unit(axis);
+  const Number &below = q(component, -1 * e), &above = q(component);
+  if (scene.barrier(axis, I)) {
+    const Condition& condition = scene.condition(axis, I);
+    const bool box_is_above = box_above(scene, axis, I);
+    const bool inflow = box_is_above ? F >= 0.0 : F < 0.0;
+    if (inflow && condition.kind.brings_solids()) return Number(condition.brought(Balance::unknown));
+    return box_is_above ? above : below;
+  }
+  if constexpr (SecondOrder) {
+    return limited_upwind(F, q(component, -2 * e), below, above, q(component, e), cell_metrics(scene, axis, I));
+  } else {
+    return upwind(F, below, above);
+  }
+}
+
 /// Anchor I: the lower `axis` face of cell I.
 template <class L, bool SecondOrder, int axis>
 struct ScalarFluxes {
@@ -54,47 +76,26 @@ struct ScalarFluxes {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
                        std::array<Number, count>& r) {
-    const double below = scene.axis(axis).width(I[axis] - 1), above = scene.axis(axis).width(I[axis]);
     const Number F = mass_flux<L, SecondOrder>(scene, I, q, axis, {});
-    r[0] += F / below;
-    r[1] -= F / above;
+    r[0] += out_of_cell(scene, axis, I - e, F);
+    r[1] -= out_of_cell(scene, axis, I, F);
 
     if constexpr (L::has_T) {
-      const double c = 1.5 * scene.solids.kinetic.rho_s;
-      const Number T = carried(scene, I, q, L::T, F);
+      const double rho_s = scene.solids.kinetic.rho_s;
+      const Number T = carried<L, SecondOrder, GranularEnergy>(scene, I, q, axis, F);
       const Number conducted = heat_flux(scene, I, q);
-      r[T_row] += (c * F * (T - q(L::T, -1 * e)) + conducted) / below;
-      r[T_row + 1] -= (c * F * (T - q(L::T)) + conducted) / above;
+      r[T_row] +=
+          out_of_cell(scene, axis, I - e, Number(GranularEnergy::advection(rho_s, F, T, q(L::T, -1 * e)) + conducted));
+      r[T_row + 1] -= out_of_cell(scene, axis, I, Number(GranularEnergy::advection(rho_s, F, T, q(L::T)) + conducted));
     }
     if constexpr (L::has_chi) {
-      const Number chi = carried(scene, I, q, L::chi, F);
-      r[chi_row] += F * (chi - q(L::chi, -1 * e)) / below;
-      r[chi_row + 1] -= F * (chi - q(L::chi)) / above;
+      const Number chi = carried<L, SecondOrder, FrictionRelaxation>(scene, I, q, axis, F);
+      r[chi_row] += out_of_cell(scene, axis, I - e, FrictionRelaxation::advection(F, chi, q(L::chi, -1 * e)));
+      r[chi_row + 1] -= out_of_cell(scene, axis, I, FrictionRelaxation::advection(F, chi, q(L::chi)));
     }
   }
 
  private:
-  /// Value of T or chi that the flux F carries through the face.
-  template <class Number>
-  static Number carried(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q, int component,
-                        const Number& F) {
-    const Number &below = q(component, -1 * e), &above = q(component);
-    if (scene.barrier(axis, I)) {
-      const Condition& condition = scene.barriers.condition(axis, I);
-      const bool box_is_above = box_above(scene, axis, I);
-      const bool inflow = box_is_above ? F >= 0.0 : F < 0.0;
-      if (inflow && condition.kind == BoundaryKind::inlet)
-        return Number(component == L::T ? condition.granular_temperature : condition.chi);
-      return box_is_above ? above : below;
-    }
-    if constexpr (SecondOrder) {
-      return limited_upwind(F, q(component, -2 * e), below, above, q(component, e),
-                            cell_metrics(scene.axis(axis), I[axis]));
-    } else {
-      return upwind(F, below, above);
-    }
-  }
-
   /// q of (1.3) along the axis [W/m2]; none through sides of the box.
   template <class Number>
   static Number heat_flux(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q) {
@@ -106,7 +107,7 @@ struct ScalarFluxes {
     const Number kappa = through(
         [&](const auto& nu, const auto& T, const auto& slip_) { return face_conductivity(nu, T, slip_, scene.solids); },
         nu_face, T_face, slip_squared);
-    return kappa * (below - above) / scene.axis(axis).distance(I[axis]);
+    return GranularEnergy::conduction(kappa, difference_at_face(scene, axis, I, below, above));
   }
 };
 

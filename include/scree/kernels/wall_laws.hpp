@@ -45,8 +45,8 @@ struct WallLaws {
       for (int side = 0; side < 2; ++side) {
         const Index face = I + side * unit(axis);
         if (!acts(scene, axis, face)) continue;
-        const Condition& wall = scene.barriers.condition(axis, face);
-        if (wall.kind == BoundaryKind::wall_no_slip)
+        const Condition& wall = scene.condition(axis, face);
+        if (wall.kind.solids_tangential == SolidsTangential::no_slip)
           no_slip(scene, I, q, axis, closures[0], wall, r);
         else
           johnson_jackson(scene, I, q, axis, strain, closures, wall, r);
@@ -55,9 +55,12 @@ struct WallLaws {
 
  private:
   static bool acts(const Scene& scene, int axis, const Index& face) {
-    if (!scene.barrier(axis, face)) return false;
-    const BoundaryKind kind = scene.barriers.condition(axis, face).kind;
-    return kind == BoundaryKind::wall_johnson_jackson || kind == BoundaryKind::wall_no_slip;
+    return scene.barrier(axis, face) && scene.kind(axis, face).shears_solids();
+  }
+
+  /// From the centre of cell I to a wall on one of its `axis` faces [m].
+  static double distance_to_wall(const Scene& scene, const Index& I, int axis) {
+    return 0.5 * scene.cell_length(axis, I);
   }
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
@@ -83,9 +86,9 @@ struct WallLaws {
   template <class Number, std::size_t count>
   static void add_stress(const Scene& scene, const Index& I, int axis, int t, int side, const Number& stress,
                          std::array<Number, count>& r) {
-    const double below = scene.axis(t).lower_share(I[t] + side);
+    const double below = scene.lower_share(t, I + side * unit(t));
     const double share = side == 0 ? 1 - below : below;  // of the control volume in this cell
-    r[2 * t + side] += share * stress / scene.axis(axis).width(I[axis]);
+    r[2 * t + side] += out_of_cell(scene, axis, I, Number(share * stress));
   }
 
   /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and
@@ -95,14 +98,14 @@ struct WallLaws {
                               const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
                               std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
-    const double width = scene.axis(axis).width(I[axis]);
     const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
-    const Number N = p_f - 2.0 * mu_f * strain.S(axis), k = mu / (0.5 * width);
+    const Number N = SolidsMomentum::normal_stress(p_f, mu_f, strain.S(axis));
+    const Number k = mu / distance_to_wall(scene, I, axis);
     Number sqrt_T_wall = sqrt_T;
     if constexpr (L::has_T) {
       const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, k, N, sqrt_T, wall);
       sqrt_T_wall = at_wall;
-      r[T_row] -= heat / width;
+      r[T_row] -= out_of_cell(scene, axis, I, heat);
     }
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
@@ -130,7 +133,7 @@ struct WallLaws {
         mean_slip_squared += 0.5 * (component * component);
       }
     const KineticParameters& kinetic = scene.solids.kinetic;
-    const double distance = 0.5 * scene.axis(axis).width(I[axis]);
+    const double distance = distance_to_wall(scene, I, axis);
     const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
     const Number kappa = through([&](const auto& nu_, const auto& T_,
                                      const auto& slip_) { return face_conductivity(nu_, T_, slip_, scene.solids); },
@@ -154,10 +157,12 @@ struct WallLaws {
   template <class Number, std::size_t count>
   static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, const Number& mu,
                       const Condition& wall, std::array<Number, count>& r) {
-    const Number c = mu / (0.5 * scene.axis(axis).width(I[axis]));
     for (int t = 0; t < L::dim; ++t)
-      for (int side = 0; side < 2 && t != axis; ++side)
-        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
+      for (int side = 0; side < 2 && t != axis; ++side) {
+        const Number& v = q(L::v(t), side * unit(t));
+        const Number stress = mu * difference_to_face(scene, axis, I, Number(wall.velocity[t]), v);
+        add_stress(scene, I, axis, t, side, stress, r);
+      }
   }
 };
 

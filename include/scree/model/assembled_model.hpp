@@ -6,16 +6,17 @@
 #include <utility>
 
 #include "scree/assembly/assembly.hpp"
+#include "scree/kernels/carried_scalar.hpp"
 #include "scree/kernels/cell_balances.hpp"
 #include "scree/kernels/edge_stress.hpp"
 #include "scree/kernels/face_forces.hpp"
-#include "scree/kernels/gas_continuity.hpp"
 #include "scree/kernels/gas_forces.hpp"
 #include "scree/kernels/gas_viscosity.hpp"
-#include "scree/model/model.hpp"
+#include "scree/kernels/gas_volume_flux.hpp"
 #include "scree/kernels/momentum_fluxes.hpp"
 #include "scree/kernels/scalar_fluxes.hpp"
 #include "scree/kernels/wall_laws.hpp"
+#include "scree/model/model.hpp"
 
 namespace scree {
 
@@ -24,31 +25,12 @@ class AssembledModel final : public Model {
  public:
   explicit AssembledModel(const ModelSetup& setup)
       : setup_(setup),
-        assembly_{{setup.lattice, setup.barriers, setup_.model, setup_.solids}, L::count, {}, {}, {}, {}},
-        fields_(fields_of<L>(setup.scales)) {
-    const double rho_s = setup_.solids.kinetic.rho_s, V = setup_.scales.velocity, t = setup_.scales.time;
-    const double rho = setup_.scales.density;
-    assembly_.scale[L::nu] = 1;
-    assembly_.row_scale[L::nu] = t;
-    for (int axis = 0; axis < L::dim; ++axis) {
-      assembly_.scale[L::v(axis)] = V;
-      assembly_.row_scale[L::v(axis)] = t / (rho_s * V);
-    }
-    if constexpr (L::has_T) {
-      assembly_.scale[L::T] = V * V;
-      assembly_.row_scale[L::T] = t / (rho_s * V * V);
-    }
-    if constexpr (L::has_chi) {
-      assembly_.scale[L::chi] = 1;
-      assembly_.row_scale[L::chi] = t;
-    }
-    for (int axis = 0; axis < L::dim && L::has_u; ++axis) {
-      assembly_.scale[L::u(axis)] = V;
-      assembly_.row_scale[L::u(axis)] = t / (rho * V);
-    }
-    if constexpr (L::has_gas) {
-      assembly_.scale[L::p] = rho * V * V;
-      assembly_.row_scale[L::p] = t;
+        assembly_{Scene(setup.lattice, setup.barriers, setup_.model, setup_.solids), L::count, {}, {}, {}, {}},
+        fields_(L::fields(setup.scales)) {
+    static_assert(L::nu == solids_fraction, "nu stands first in every node");
+    for (const Field& field : fields_) {
+      assembly_.scale[field.component] = field.scale;
+      assembly_.row_scale[field.component] = field.unknown->row_scale(setup_.scales, setup_.solids.kinetic.rho_s);
     }
     assembly_.scene.set_time(0);
     mark_balances();
@@ -58,8 +40,6 @@ class AssembledModel final : public Model {
   int unknowns() const override { return L::count; }
   const std::vector<Field>& fields() const override { return fields_; }
   double continuity_scale() const override { return assembly_.row_scale[L::nu]; }
-  int gas_pressure() const override { return L::p; }
-  int gas_velocity(int axis) const override { return L::u(axis); }
   void set_time(double time) override { assembly_.scene.set_time(time); }
   bool is_balance(int component, const Index& I) const override {
     return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
@@ -158,7 +138,7 @@ class AssembledModel final : public Model {
     double flux = 0;
     static_for<L::dim>([&](auto a) {
       if constexpr (L::has_gas) {
-        using Kernel = GasContinuity<Core, SecondOrder, a()>;
+        using Kernel = GasVolumeFlux<Core, SecondOrder, a()>;
         if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
         Local<Kernel, double> q;
         assembly_.gather(state, I, q);
@@ -217,12 +197,13 @@ class AssembledModel final : public Model {
       visitor.template visit<WallLaws<L>>(I);
       visitor.template visit<CellBalances<L>>(I);
       if constexpr (L::has_gas) sweep_gas(visitor, I);
+      L::for_each_scalar([&](auto scalar) { sweep_scalar<decltype(scalar)>(visitor, I); });
     });
   }
   template <class Visitor>
   void sweep_gas(Visitor& visitor, const Index& I) const {
     static_for<L::dim>([&](auto a) {
-      visitor.template visit<GasContinuity<Core, SecondOrder, a()>>(I);
+      visitor.template visit<GasVolumeFlux<Core, SecondOrder, a()>>(I);
       visitor.template visit<GasForces<Core, a()>>(I);
       if constexpr (L::has_u) {
         visitor.template visit<NormalMomentumFlux<Gas, a()>>(I);
@@ -238,6 +219,12 @@ class AssembledModel final : public Model {
     });
   }
 
+  template <class Scalar, class Visitor>
+  void sweep_scalar(Visitor& visitor, const Index& I) const {
+    static_for<L::dim>([&](auto a) { visitor.template visit<CarriedScalarFlux<L, SecondOrder, Scalar, a()>>(I); });
+    visitor.template visit<CarriedScalarSource<L, Scalar>>(I);
+  }
+
   /// Bits of the rows that are balances; the others are constraints.
   void mark_balances() {
     const Lattice& grid = setup_.lattice;
@@ -250,14 +237,16 @@ class AssembledModel final : public Model {
         if constexpr (L::has_chi)
           rows |= static_cast<unsigned>(!setup_.model.gas_alone && !setup_.solids.friction.lagged) << L::chi;
         if constexpr (L::has_gas) rows |= 1U << L::p;
+        L::for_each_scalar([&](auto scalar) {
+          rows |= static_cast<unsigned>(!setup_.model.gas_alone) << L::template first<decltype(scalar)>();
+        });
       }
       for (int axis = 0; axis < L::dim; ++axis) {
         const bool barrier = setup_.barriers.at(axis, I);
         const bool between = grid.inside(I) && grid.inside(I - unit(axis)) && !barrier;
         if (between && setup_.model.solids_moving) rows |= 1U << L::v(axis);
         if constexpr (L::has_u)
-          if (between || (barrier && setup_.barriers.condition(axis, I).kind == BoundaryKind::open))
-            rows |= 1U << L::u(axis);
+          if (between || (barrier && setup_.barriers.condition(axis, I).kind.open_to_gas())) rows |= 1U << L::u(axis);
       }
       assembly_.balance[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
     });
@@ -297,10 +286,10 @@ class AssembledModel final : public Model {
       return result;
     }
     const Condition& condition = setup_.barriers.condition(axis, I);
-    if (condition.kind == BoundaryKind::open) {
+    if (condition.kind.lets_solids_out()) {
       result.kind = Constraint::follow;
       result.neighbour = box_above(assembly_.scene, axis, I) ? I + unit(axis) : I - unit(axis);
-    } else if (condition.kind != BoundaryKind::symmetry) {
+    } else if (condition.kind.solids_normal != SolidsNormal::zero) {
       result.value = condition.velocity[axis] / assembly_.scale[component];
     }
     return result;
@@ -309,11 +298,11 @@ class AssembledModel final : public Model {
   /// The constraint of u on a side or plate.
   Constraint gas_constraint(Constraint result, int axis) const {
     const Condition& condition = setup_.barriers.condition(axis, result.node);
-    if (brings_gas(condition.kind)) {
+    if (condition.kind.brings_gas()) {
       result.kind = Constraint::superficial;
       result.value = given_gas_flux(assembly_.scene, axis, result.node) / assembly_.scale[result.component];
       result.neighbour = box_above(assembly_.scene, axis, result.node) ? result.node : result.node - unit(axis);
-    } else if (condition.kind != BoundaryKind::symmetry) {
+    } else if (condition.kind.gas_normal != GasNormal::zero) {
       result.value = condition.velocity[axis] / assembly_.scale[result.component];
     }
     return result;
@@ -333,11 +322,11 @@ class AssembledModel final : public Model {
   std::vector<Field> fields_;
 };
 
-/// Turns the run-time choices into the type of the model.
-template <int dim, GasModel gas>
+/// Turns the run-time choices into the type of the model, with further scalars of the particles.
+template <int dim, GasModel gas, class... Scalars>
 std::unique_ptr<Model> choose_model(const ModelSetup& setup) {
   const auto with = [&](auto T, auto chi, auto second_order) -> std::unique_ptr<Model> {
-    return std::make_unique<AssembledModel<Layout<dim, T(), chi(), gas>, second_order()>>(setup);
+    return std::make_unique<AssembledModel<Layout<dim, T(), chi(), gas, Scalars...>, second_order()>>(setup);
   };
   const auto with_chi = [&](auto T, auto chi) {
     return setup.model.advection == AdvectionScheme::upwind ? with(T, chi, std::false_type{})

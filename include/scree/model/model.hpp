@@ -7,25 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "scree/boundary/barriers.hpp"
+#include "scree/assembly/entries.hpp"
 #include "scree/assembly/parameters.hpp"
-#include "scree/grid/field.hpp"
+#include "scree/boundary/barriers.hpp"
 #include "scree/grid/lattice.hpp"
+#include "scree/grid/unknown.hpp"
 
 namespace scree {
-
-/// Where Jacobian entries go: one number for each entry that the sweep over the kernels produces, in its order.
-/// place >= 0: position among the entries of the diagonal block; place <= -2: -2 - position in the off-diagonal block;
-/// -1: outside of the grid, dropped.
-using EntryPlaces = std::vector<std::int32_t>;
-
-/// Receives (local row, ghosted column unknown) of each Jacobian entry, in the order of the sweep. The column counts
-/// node * unknowns + component over ghosted nodes.
-class EntrySink {
- public:
-  virtual ~EntrySink() = default;
-  virtual void entry(int row, int ghosted_column) = 0;
-};
 
 /// All balances of a scene on the nodes of one rank. States and rates are arrays over ghosted nodes, residuals over
 /// owned ones, interlaced by component; all are dimensionless (SI = scale * stored).
@@ -60,9 +48,13 @@ class Model {
   /// First guess of a step of dt: raises T of `owned` where it is far below what a step from `state` would give. From
   /// there Newton's method would find T < 0, which production ~ sqrt(T) makes a second way to a small residual.
   virtual void raise_temperature(const double* state, double dt, double* owned) const = 0;
-  /// Components of p_g and of u along an axis; -1 where they are no unknowns.
-  virtual int gas_pressure() const = 0;
-  virtual int gas_velocity(int axis) const = 0;
+  /// Component of an unknown in a node, of a vector along `axis`; -1 where the scene has no such unknown.
+  template <class Balance>
+  int component(int axis = 0) const {
+    for (const Field& field : fields())
+      if (field.is<Balance>()) return field.component + axis;
+    return -1;
+  }
   /// Time at which conditions that are functions of time are taken [s].
   virtual void set_time(double time) = 0;
   /// Whether row `component` of node I is a balance (and not a constraint of a side, or padding).
@@ -78,9 +70,16 @@ struct ModelSetup {
   Scales scales;
 };
 
-/// The number of unknowns a node and the stencil width of the model for these parameters.
-std::pair<int, int> model_extent(int dim, const ModelParameters& model, const SolidsParameters& solids);
+/// What makes the models of a program: the balances of the paper, or these and more (kernels/carried_scalar.hpp).
+struct ModelFactory {
+  std::unique_ptr<Model> (*make)(const ModelSetup&);
+  std::vector<const Unknown*> further;  ///< unknowns beyond those of the standard models, in their order
 
+  /// The number of unknowns a node and the stencil width of the model for these parameters.
+  std::pair<int, int> extent(int dim, const ModelParameters& model, const SolidsParameters& solids) const;
+};
+
+/// The paper's balances in one to three dimensions.
 std::unique_ptr<Model> make_model(const ModelSetup& setup);
 
 }  // namespace scree

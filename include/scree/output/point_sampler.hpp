@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scree/grid/box.hpp"
-#include "scree/grid/field.hpp"
+#include "scree/grid/unknown.hpp"
 
 namespace scree {
 

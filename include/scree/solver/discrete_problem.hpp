@@ -18,6 +18,7 @@ struct ProblemSetup {
   ModelParameters model;
   SolidsParameters solids;
   Scales scales;
+  ModelFactory models{make_model, {}};
 };
 
 enum class Phase { solids, gas };

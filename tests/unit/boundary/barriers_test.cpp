@@ -170,9 +170,9 @@ TEST(Barriers, WallsAreTheKindsThatLetNoParticlesThrough) {
                         {BoundaryKind::gas_inlet, true, false, true}};
   for (const auto& [kind, wall, stops, brings] : expected) {
     SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)));
-    EXPECT_EQ(is_wall(kind), wall);
-    EXPECT_EQ(stops_gas(kind), stops);
-    EXPECT_EQ(brings_gas(kind), brings);
+    EXPECT_EQ(kind.stops_solids(), wall);
+    EXPECT_EQ(kind.stops_gas(), stops);
+    EXPECT_EQ(kind.brings_gas(), brings);
     const Scene scene(unit_box(1, {4, 0, 0}), {side(0, false, condition(kind))}, {});
     EXPECT_EQ(scene.barriers->wall(0, {{0, 0, 0}}), wall);
     EXPECT_FALSE(scene.barriers->wall(0, {{1, 0, 0}}));

@@ -42,8 +42,8 @@ TEST_F(GasOptions, NoGasUnlessAskedFor) {
   EXPECT_EQ(scene.gas.model, GasModel::none);
   EXPECT_EQ(scene.effective_yaml.find("gas_"), std::string::npos);
   EXPECT_NE(scene.effective_yaml.find("gas: none\n"), std::string::npos);
-  EXPECT_TRUE(scene.initial[0].has_gas_velocity);
-  EXPECT_FALSE(scene.initial[1].has_gas_velocity);
+  EXPECT_NE(scene.initial[0].find(GasMomentum::unknown), nullptr);
+  EXPECT_EQ(scene.initial[1].find(GasMomentum::unknown), nullptr);
 }
 
 TEST_F(GasOptions, DefaultsAreThoseOfThePaper) {
@@ -137,12 +137,12 @@ TEST_F(GasOptions, InitialVelocity) {
   yaml("gas: incompressible\ninitial: {bed: {gas_velocity: [0, 50 cm/s]}, gas: {velocity: [0, 1]}}");
   const Case scene = read_case();
   ASSERT_EQ(scene.initial.size(), 3u);
-  EXPECT_TRUE(scene.initial[1].has_gas_velocity);
-  EXPECT_FALSE(scene.initial[1].has_velocity);
-  EXPECT_DOUBLE_EQ(scene.initial[1].gas_velocity[1], 0.5);
+  EXPECT_NE(scene.initial[1].find(GasMomentum::unknown), nullptr);
+  EXPECT_EQ(scene.initial[1].find(SolidsMomentum::unknown), nullptr);
+  EXPECT_DOUBLE_EQ(scene.initial[1].find(GasMomentum::unknown)->value[1], 0.5);
   EXPECT_EQ(scene.initial[2].name, "gas");
-  EXPECT_TRUE(scene.initial[2].has_velocity);
-  EXPECT_FALSE(scene.initial[2].has_gas_velocity);
+  EXPECT_NE(scene.initial[2].find(SolidsMomentum::unknown), nullptr);
+  EXPECT_EQ(scene.initial[2].find(GasMomentum::unknown), nullptr);
 }
 
 TEST_F(GasOptions, RemarksOnWhatTheSceneDoesNotUse) {
@@ -326,7 +326,7 @@ initial: {bed: {gas_velocity: [0, 50 cm/s]}}
   EXPECT_EQ(condition(second, "x_jet").gas_velocity, 1);
   EXPECT_TRUE(condition(second, "wall").gas_no_slip);
   EXPECT_TRUE(second.plates.at(0).condition.gas_no_slip);
-  EXPECT_EQ(second.initial[1].gas_velocity[1], 0.5);
+  EXPECT_EQ(second.initial[1].find(GasMomentum::unknown)->value[1], 0.5);
 }
 
 }  // namespace

@@ -30,11 +30,11 @@ TEST_F(ReadCase, SmallBin) {
   EXPECT_FALSE(scene.segments[1].upper);
   ASSERT_EQ(scene.initial.size(), 2u);
   EXPECT_EQ(scene.initial[0].name, "default");
-  EXPECT_EQ(scene.initial[0].solids_fraction, 0);
-  EXPECT_EQ(scene.initial[0].granular_temperature, 1e-4);
+  EXPECT_EQ(scene.initial[0].find(SolidsContinuity::unknown)->value[0], 0);
+  EXPECT_EQ(scene.initial[0].find(GranularEnergy::unknown)->value[0], 1e-4);
   EXPECT_EQ(scene.initial[0].upper[1], 0.1);
-  EXPECT_EQ(scene.initial[1].solids_fraction, 0.6);
-  EXPECT_FALSE(scene.initial[1].has_velocity);
+  EXPECT_EQ(scene.initial[1].find(SolidsContinuity::unknown)->value[0], 0.6);
+  EXPECT_EQ(scene.initial[1].find(SolidsMomentum::unknown), nullptr);
   EXPECT_TRUE(scene.remarks.empty());
 }
 

@@ -61,7 +61,7 @@ TEST_P(Conservation, SolidsChangeByWhatFlowsThroughTheSides) {
     const double outflow = problem.outflow(state);
     EXPECT_NEAR(sum, outflow, 1e-13 * magnitude) << "divergence summed over the box against outflow";
     bool closed = true;
-    for (const Segment& segment : scene.setup.segments) closed = closed && is_wall(segment.condition.kind);
+    for (const Segment& segment : scene.setup.segments) closed = closed && segment.condition.kind.stops_solids();
     EXPECT_TRUE(!closed || outflow == 0) << "outflow " << outflow << " of a closed box";
   }
 }
@@ -83,7 +83,7 @@ TEST_P(GasConservation, VolumeIsKept) {
     const double solids = problem.outflow(state), gas_flow = problem.outflow(state, Phase::gas);
     EXPECT_NEAR(sum, solids + gas_flow, 1e-13 * magnitude) << "solids " << solids << ", gas " << gas_flow;
     bool closed = true;
-    for (const Segment& segment : scene.setup.segments) closed = closed && stops_gas(segment.condition.kind);
+    for (const Segment& segment : scene.setup.segments) closed = closed && segment.condition.kind.stops_gas();
     EXPECT_EQ(closed, gas_flow == 0) << "outflow " << gas_flow;
   }
 }

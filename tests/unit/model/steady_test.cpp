@@ -58,8 +58,8 @@ TEST(UniformFlow, StaysAsItIsOnGradedCells) {
         setup.model.void_fraction_floor = 0;
         setup.segments.clear();
         Condition inlet = condition(BoundaryKind::inlet, wind);
-        inlet.solids_fraction = 0.56;
-        inlet.granular_temperature = 1e-4;
+        inlet.bring(SolidsContinuity::unknown, 0.56);
+        inlet.bring(GranularEnergy::unknown, 1e-4);
         // Out of the box by an open side along x, by an inlet that takes away along the other axes.
         for (int axis = 0; axis < dim; ++axis)
           for (const bool upper : {false, true}) {
@@ -103,8 +103,8 @@ TEST(UniformFlow, OfBothPhasesStaysAsItIs) {
             std::array<double, max_dim> wind{0, 0, 0};
             wind[axis] = speed;
             Condition inlet = condition(BoundaryKind::inlet, wind), opening = condition(BoundaryKind::open);
-            inlet.solids_fraction = 0.56;
-            inlet.granular_temperature = 1e-4;
+            inlet.bring(SolidsContinuity::unknown, 0.56);
+            inlet.bring(GranularEnergy::unknown, 1e-4);
             inlet.gas_velocity = 0.05 * (1 - 0.56);
             opening.gas_pressure = free_stream_pressure;
             setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "scree/grid/box.hpp"
-#include "scree/grid/field.hpp"
+#include "scree/grid/unknown.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/output/node_layout.hpp"
 

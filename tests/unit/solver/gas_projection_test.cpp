@@ -56,9 +56,9 @@ std::vector<NamedScene> solvable(std::vector<NamedScene> scenes) {
     bool open = false, closed = true;
     for (Segment& segment : scene.setup.segments) {
       BoundaryKind& kind = segment.condition.kind;
-      if (scene.setup.plates.size() == 3 && brings_gas(kind)) kind = BoundaryKind::open;
+      if (scene.setup.plates.size() == 3 && kind.brings_gas()) kind = BoundaryKind::open;
       open = open || kind == BoundaryKind::open;
-      closed = closed && stops_gas(kind);
+      closed = closed && kind.stops_gas();
     }
     if (open || closed) result.push_back(std::move(scene));
   }

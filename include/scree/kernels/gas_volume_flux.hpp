@@ -1,5 +1,4 @@
-/// Balance of gas volume (2), added to that of the particles (1): div(nu v + (1-nu) u) = 0, the row of p_g. The sum
-/// has no time derivative: what it says holds at every time, and nothing drifts.
+/// Flux of both phases through a face, for the balance of gas volume: see balances/gas_continuity.hpp.
 #pragma once
 
 #include "scree/kernels/gas_flux.hpp"
@@ -8,7 +7,7 @@ namespace scree {
 
 /// Anchor I: the lower `axis` face of cell I.
 template <class L, bool SecondOrder, int axis>
-struct GasContinuity {
+struct GasVolumeFlux {
   static constexpr Index e = unit(axis);
   static constexpr StencilBuilder make_stencil() {
     StencilBuilder s;
@@ -29,11 +28,11 @@ struct GasContinuity {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<GasContinuity, Number>& q,
+  static void evaluate(const Scene& scene, const Index& I, const Local<GasVolumeFlux, Number>& q,
                        std::array<Number, count>& r) {
     const Number flux = mass_flux<L, SecondOrder>(scene, I, q, axis, {}) + gas_flux<L>(scene, I, q, axis, {});
-    r[0] += flux / scene.axis(axis).width(I[axis] - 1);
-    r[1] -= flux / scene.axis(axis).width(I[axis]);
+    r[0] += out_of_cell(scene, axis, I - e, flux);
+    r[1] -= out_of_cell(scene, axis, I, flux);
   }
 };
 

@@ -1,0 +1,113 @@
+/// Lengths, areas and volumes about cells, faces and edges, and the operators made of them: the one place from which
+/// balances take the geometry of the grid. No kernel divides by a width.
+#pragma once
+
+#include "scree/grid/advection.hpp"
+#include "scree/grid/lattice.hpp"
+
+namespace scree {
+
+/// The geometry of a rank's part of the grid. Plane axes have scale factors h = 1, so that an area over a volume is one
+/// over a width; curvilinear ones would put theirs here.
+struct Metrics {
+  const Lattice& lattice;
+  /// False where nothing lies within the width of the ghost layer that carries a condition: the questions below are
+  /// then answered without a look.
+  bool near = true;
+
+  const Axis& axis(int a) const { return lattice.axes[static_cast<std::size_t>(a)]; }
+  bool inside(const Index& I) const { return !near || lattice.inside(I); }
+  bool is_face(int a, const Index& I) const { return !near || lattice.is_face(a, I); }
+  bool on_side(int a, const Index& I) const { return near && lattice.on_side(a, I); }
+
+  /// Volume over the area of an end: of cell I along `a`, and of the control volume about its lower `a` face, which on
+  /// a side of the box is half a cell [m].
+  double cell_length(int a, const Index& I) const { return axis(a).width(I[a]); }
+  double control_length(int a, const Index& I) const {
+    return near ? lattice.control_length(a, I) : axis(a).distance(I[a]);
+  }
+  /// Between the centres of the two cells about the lower `a` face of I [m].
+  double centre_distance(int a, const Index& I) const { return axis(a).distance(I[a]); }
+  /// Share of the cell below in the control volume about the lower `a` face of I, wherever the box ends.
+  double lower_share(int a, const Index& I) const { return axis(a).lower_share(I[a]); }
+};
+
+// ---- differences [1/m] ----
+
+/// d/d axis at the lower `axis` face of I, of a quantity at the centres of the cells below and above.
+template <class Number>
+Number difference_at_face(const Metrics& grid, int axis, const Index& I, const Number& below, const Number& above) {
+  return (above - below) / grid.centre_distance(axis, I);
+}
+
+/// d/d axis in cell I, of a quantity at its lower and upper `axis` faces.
+template <class Number>
+Number difference_in_cell(const Metrics& grid, int axis, const Index& I, const Number& lower, const Number& upper) {
+  return (upper - lower) / grid.cell_length(axis, I);
+}
+
+/// d/d axis from the centre of cell I to one of its `axis` faces, or back [1/m].
+template <class Number>
+Number difference_to_face(const Metrics& grid, int axis, const Index& I, const Number& from, const Number& to) {
+  return (to - from) / (0.5 * grid.cell_length(axis, I));
+}
+
+// ---- divergences [1/m]: what a flux through one end takes out of a volume, per volume; the other end with minus ----
+
+/// Through an `axis` face of cell I; for a control volume of another axis, which is as long as cell I along this one.
+template <class Number>
+Number out_of_cell(const Metrics& grid, int axis, const Index& I, const Number& flux) {
+  return flux / grid.cell_length(axis, I);
+}
+
+/// Out of the control volume about the lower `axis` face of I, through one of its ends along the same axis.
+template <class Number>
+Number out_of_control_volume(const Metrics& grid, int axis, const Index& I, const Number& flux) {
+  return flux / grid.control_length(axis, I);
+}
+
+// ---- means ----
+
+/// Over the two cells about the lower `axis` face of I, weighted by their shares in its control volume.
+template <class Number>
+Number face_mean(const Metrics& grid, int axis, const Index& I, const Number& below, const Number& above) {
+  const double share = grid.lower_share(axis, I);
+  return share * below + (1 - share) * above;
+}
+
+/// Share of cell I in the control volume about its lower (side 0) or upper (side 1) `axis` face.
+inline double share_of_cell(const Metrics& grid, int axis, const Index& I, int side) {
+  const Index face = I + side * unit(axis);
+  if (grid.on_side(axis, face)) return 1;
+  const double below = grid.lower_share(axis, face);
+  return side == 0 ? 1 - below : below;
+}
+
+/// Whether the box lies above the side that carries the lower `axis` face of I.
+inline bool box_above(const Metrics& grid, int axis, const Index& I) { return !grid.inside(I - unit(axis)); }
+
+/// Whether plane I[axis] of faces is an end of the box, whatever the other coordinates.
+inline bool on_side_of_axis(const Metrics& grid, int axis, const Index& I) {
+  return !grid.axis(axis).periodic() && (I[axis] == 0 || I[axis] == grid.axis(axis).cells());
+}
+
+// ---- distances for upwinding ----
+
+/// Of cell-centred values carried through the lower `axis` face of I.
+inline AdvectionMetrics cell_metrics(const Metrics& grid, int a, const Index& I) {
+  const Axis& axis = grid.axis(a);
+  const int i = I[a];
+  return {axis.distance(i - 1), axis.distance(i), axis.distance(i + 1), 0.5 * axis.width(i - 1), 0.5 * axis.width(i)};
+}
+
+/// Of velocities along `axis` carried through the centre of cell I. What is mirrored at a barrier on its lower or upper
+/// face lies a width of this cell beyond it.
+inline AdvectionMetrics face_metrics(const Metrics& grid, int axis, const Index& I, bool lower_barrier,
+                                     bool upper_barrier) {
+  const Axis& x = grid.axis(axis);
+  const int i = I[axis];
+  return {x.width(lower_barrier ? i : i - 1), x.width(i), x.width(upper_barrier ? i : i + 1), 0.5 * x.width(i),
+          0.5 * x.width(i)};
+}
+
+}  // namespace scree

@@ -1,0 +1,28 @@
+#include "scree/config/case_options.hpp"
+
+namespace scree {
+
+std::string option_unit(const Unknown& unknown) { return unknown.unit == std::string("1") ? "-" : unknown.unit; }
+
+Range range_of(Allowed allowed, const Case& scene) {
+  switch (allowed) {
+    case Allowed::solids_fraction:
+      return from_zero_below(scene.kinetic.nu_max, "solids_fraction_max");
+    case Allowed::non_negative:
+      return non_negative();
+    default:
+      return any_number();
+  }
+}
+
+std::string absence(const Case& scene, const Unknown& unknown) {
+  if (&unknown == &GranularEnergy::unknown && scene.model.temperature != TemperatureModel::transport)
+    return "granular_temperature is not transport";
+  if (&unknown == &FrictionRelaxation::unknown && scene.friction.model != FrictionModel::relaxed)
+    return "friction_model is not relaxed";
+  if (&unknown == &GasMomentum::unknown && scene.gas.model != GasModel::incompressible)
+    return "gas is not incompressible";
+  return "";
+}
+
+}  // namespace scree
