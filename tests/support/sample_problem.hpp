@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scree/balances/present.hpp"
 #include "scree/solver/discrete_problem.hpp"
 
 namespace scree::test {

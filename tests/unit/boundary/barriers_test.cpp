@@ -169,7 +169,7 @@ TEST(Barriers, WallsAreTheKindsThatLetNoParticlesThrough) {
                         {BoundaryKind::inlet, false, false, true},
                         {BoundaryKind::gas_inlet, true, false, true}};
   for (const auto& [kind, wall, stops, brings] : expected) {
-    SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)));
+    SCOPED_TRACE("kind " + std::string(kind.name));
     EXPECT_EQ(kind.stops_solids(), wall);
     EXPECT_EQ(kind.stops_gas(), stops);
     EXPECT_EQ(kind.brings_gas(), brings);

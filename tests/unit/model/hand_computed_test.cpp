@@ -150,8 +150,8 @@ TEST(Plate, SeparatesTheTwoSides) {
           };
           const Values in_whole = whole.residual(state(whole), whole.zeros());
           const Values in_part = part.residual(state(part), part.zeros());
-          SCOPED_TRACE("plate of kind " + std::to_string(static_cast<int>(kind)) + " across " + "xyz"[axis] +
-                       ", gas model " + std::to_string(static_cast<int>(gas)));
+          SCOPED_TRACE("plate of kind " + std::string(kind.name) + " across " + "xyz"[axis] + ", gas model " +
+                       std::to_string(static_cast<int>(gas)));
           for_each_node(Index{}, part.nodes(), [&](const Index& I) {
             for (const Field& f : part.fields()) {
               if (I[axis] == 3 && f.face_axis != axis) continue;  // padding of the lower box
@@ -471,7 +471,7 @@ TEST(GasMomentum, InletsBlowStraightIn) {
         const double expected =
             setup.solids.gas.rho_g * 0.3 * u / problem.lattice().axes[axis].width(cell[axis]) * scale;
         EXPECT_NEAR(residual[problem.at(problem.component("u") + along, cell)], expected, 1e-12 * expected)
-            << "kind " << static_cast<int>(kind) << (upper ? ", upper " : ", lower ") << "xyz"[axis];
+            << "kind " << kind.name << (upper ? ", upper " : ", lower ") << "xyz"[axis];
       }
 }
 

@@ -217,8 +217,7 @@ TEST(Invariance, ThinSceneIsTheSceneOfLowerDimension) {
             if (segment.condition.gas_profile_axis == dim) segment.condition.gas_profile_axis = 0;
           }
           for (Plate& plate : thin.plates) plate.condition.velocity[dim] = 0;
-          SCOPED_TRACE(name_of(c) + ", " + scene.name + ", between sides of kind " +
-                       std::to_string(static_cast<int>(kind)));
+          SCOPED_TRACE(name_of(c) + ", " + scene.name + ", between sides of kind " + std::string(kind.name));
           ProblemSetup plain = thin;  // moving walls drag out of the plane: not here
           plain.box = scene.setup.box;
           plain.segments.resize(plain.segments.size() - 2);
@@ -259,8 +258,8 @@ TEST(Invariance, ConstantVelocityAlongAUniformAxisChangesNothing) {
         const Values still = seen_from(setup, 0), moving = seen_from(setup, 0.3);
         double scale = 0;
         for (const double f : still) scale = std::max(scale, std::abs(f));
-        SCOPED_TRACE(name_of(c) + ", walls of kind " + std::to_string(static_cast<int>(kind)) + ", " +
-                     std::to_string(rows) + " cells between them");
+        SCOPED_TRACE(name_of(c) + ", walls of kind " + std::string(kind.name) + ", " + std::to_string(rows) +
+                     " cells between them");
         for (std::size_t i = 0; i < still.size(); ++i) EXPECT_NEAR(moving[i], still[i], 1e-11 * scale) << "row " << i;
       }
 }

@@ -84,7 +84,7 @@ TEST(UniformFlow, SlidesAlongMovingWalls) {
     setup.model.void_fraction_floor = 0;
     setup.box.periodic = {true, false, false};
     setup.segments = all_sides(setup.box, condition(kind, {0.05, 0, 0}));
-    SCOPED_TRACE("walls of kind " + std::to_string(static_cast<int>(kind)));
+    SCOPED_TRACE("walls of kind " + std::string(kind.name));
     expect_free_stream(setup, {0.05, 0, 0}, 0.58, 1e-4);
   }
 }
