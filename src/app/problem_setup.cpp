@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scree/equations/derived_fields.hpp"
+#include "scree/output/probes.hpp"
+
 namespace scree {
 
 namespace {
@@ -53,6 +56,13 @@ ProblemSetup problem_setup(const Case& scene) {
   }
   setup.scales = scales_of(scene);
   return setup;
+}
+
+void check_sampling(const Case& scene) {
+  const ProblemSetup setup = problem_setup(scene);
+  const std::vector<Field> fields = unknown_fields(setup.box.dim, setup.model, setup.solids, setup.scales);
+  for (const Probe& probe : scene.probes) select_fields(fields, probe.fields, "probe " + probe.name);
+  for (const Line& line : scene.lines) select_fields(fields, line.fields, "line " + line.name);
 }
 
 }  // namespace scree

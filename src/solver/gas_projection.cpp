@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/grid/ghosted.hpp"
 
 namespace scree {
 
