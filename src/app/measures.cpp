@@ -129,31 +129,29 @@ Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& deriv
   return {sums[0], sums[1], std::sqrt(greatest[0]), greatest[1]};
 }
 
-Measures::Range Measures::range(const CellField& field) const {
+Measures::Range Measures::range(const std::function<double(const Index&)>& value) const {
   const Lattice& grid = problem_.lattice();
   Range r{HUGE_VAL, -HUGE_VAL};
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
     if (!grid.inside(I)) return;
-    const double value = field.values[static_cast<std::size_t>(grid.owned(I))];
-    r.least = std::min(r.least, value);
-    r.greatest = std::max(r.greatest, value);
+    r.least = std::min(r.least, value(I));
+    r.greatest = std::max(r.greatest, value(I));
   });
   return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
 }
 
 Measures::Range Measures::range(Vec state, const Field& field) const {
-  const Lattice& grid = problem_.lattice();
   const double* x;
   check_petsc(VecGetArrayRead(state, &x), "range");
-  Range r{HUGE_VAL, -HUGE_VAL};
-  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-    if (!grid.inside(I)) return;
-    const double value = field.scale * x[grid.owned(I) * problem_.model().unknowns() + field.component];
-    r.least = std::min(r.least, value);
-    r.greatest = std::max(r.greatest, value);
+  const Range r = range([&](const Index& I) {
+    return field.scale * x[problem_.lattice().owned(I) * problem_.model().unknowns() + field.component];
   });
   check_petsc(VecRestoreArrayRead(state, &x), "range");
-  return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
+  return r;
+}
+
+Measures::Range Measures::range(const CellField& field) const {
+  return range([&](const Index& I) { return field.values[static_cast<std::size_t>(problem_.lattice().owned(I))]; });
 }
 
 double Measures::greatest_speed(Vec state, const std::string& symbol) const {

@@ -1,6 +1,7 @@
 /// What monitor.csv says of a state: masses, rates, extremes, bed height.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "scree/config/case.hpp"
@@ -34,6 +35,7 @@ class Measures {
   };
   bool has_temperature() const;  ///< as an unknown or as a derived field
   Motion motion(Vec state, const std::vector<CellField>& derived) const;
+  Range range(const std::function<double(const Index&)>& value) const;  ///< over the cells of the box
   Range range(Vec state, const Field& field) const;
   Range range(const CellField& field) const;
   double greatest_speed(Vec state, const std::string& symbol) const;
