@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/app/derived_cells.hpp"
 #include "scree/balances/layout.hpp"
+#include "scree/model/derived_fields.hpp"
 #include "scree/output/errors.hpp"
 
 namespace scree {
@@ -17,61 +19,140 @@ double reduced(double value, MPI_Op operation, DM dm) {
 
 }  // namespace
 
-Measures::Measures(const Case& scene, const DiscreteProblem& problem) : scene_(scene), problem_(problem) {
+Measures::Measures(const Case& scene, const DiscreteProblem& problem)
+    : scene_(scene),
+      problem_(problem),
+      with_gas_(problem.model().gas_pressure() >= 0),
+      has_gas_velocity_(problem.model().gas_velocity(0) >= 0),
+      derived_(derived_fields(problem.setup().model, problem.setup().solids)) {
   const double missing =
       std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
   mass_per_volume_ = scene.kinetic.rho_s * missing * scene.output.mirror;
-  with_gas_ = problem.model().component<GasContinuity>() >= 0;
-  has_gas_velocity_ = problem.model().component<GasMomentum>() >= 0;
-  columns_ = {{"discharge_rate", "kg/s"}, {"mass", "kg"}, {"bed_height", "m"}, {"speed_max", "m/s"}};
-  if (has_gas_velocity_) columns_.push_back({"gas_speed_max", "m/s"});
-  for (const Field& field : problem.model().fields()) {
-    if (field.face_axis >= 0) continue;
-    columns_.push_back({field.dataset + "_min", field.unit});
-    columns_.push_back({field.dataset + "_max", field.unit});
-  }
-  for (const FluxPlane& plane : scene.flux_planes) {
-    columns_.push_back({"flux_" + plane.name, "kg/s"});
-    if (with_gas_) columns_.push_back({"gas_flux_" + plane.name, "m3/s"});
-  }
+  for (const Field& field : problem.model().fields())
+    if (field.is<GranularEnergy>()) T_ = field.component;
 }
 
-std::vector<double> Measures::values(Vec state) const {
-  double flux, volume;
-  check_petsc(problem_.outflow(state, Phase::solids, &flux), "outflow");
-  check_petsc(problem_.solids_volume(state, &volume), "solids volume");
-  std::vector<double> values{flux * mass_per_volume_, volume * mass_per_volume_, bed_height(state),
-                             greatest_speed(state, SolidsMomentum::unknown)};
-  if (has_gas_velocity_) values.push_back(greatest_speed(state, GasMomentum::unknown));
-  for (const Field& field : problem_.model().fields()) {
-    if (field.face_axis >= 0) continue;
-    const Range r = range(state, field);
-    values.insert(values.end(), {r.least, r.greatest});
+std::vector<Quantity> Measures::quantities(Vec state) const {
+  std::vector<Quantity> list;
+  const auto add = [&](const std::string& name, const std::string& unit, const std::string& text, auto&& measure) {
+    list.push_back({{name, unit, text}, state ? measure() : 0.0});
+  };
+  const auto flux = [&](Phase phase, auto&& through) {
+    double value;
+    check_petsc(through(phase, &value), "flux");
+    return value * mass_per_volume_ / (phase == Phase::gas ? scene_.kinetic.rho_s : 1);
+  };
+  const std::vector<CellField> derived = state ? derived_cells(problem_, state) : std::vector<CellField>();
+  const Motion moving = state ? motion(state, derived) : Motion();
+
+  add("discharge_rate", "kg/s", "mass of particles that leaves through the sides, less what comes in",
+      [&] { return flux(Phase::solids, [&](Phase p, double* value) { return problem_.outflow(state, p, value); }); });
+  add("mass", "kg", "mass of the particles in the box", [&] {
+    double volume;
+    check_petsc(problem_.solids_volume(state, &volume), "solids volume");
+    return volume * mass_per_volume_;
+  });
+  add("bed_height", "m", "mean over the columns of the highest place where nu falls through bed_solids_fraction",
+      [&] { return bed_height(state); });
+  add("speed_max", "m/s", "greatest component of v at any face, voids included",
+      [&] { return greatest_speed(state, SolidsMomentum::unknown); });
+  add("speed_max_weighted", "m/s", "square root of the greatest nu v^2/nu_max of a cell: v where particles are",
+      [&] { return moving.speed; });
+  if (has_gas_velocity_)
+    add("gas_speed_max", "m/s", "greatest component of u at any face", [&] { return greatest_speed(state, GasMomentum::unknown); });
+  add("kinetic_energy", "J", "sum of rho_s nu v^2/2", [&] { return moving.kinetic * mass_per_volume_; });
+  if (has_temperature()) {
+    add("fluctuation_energy", "J", "sum of 3/2 rho_s nu T", [&] { return moving.fluctuation * mass_per_volume_; });
+    add("granular_temperature_max_weighted", "m2/s2", "greatest nu T/nu_max of a cell: T where particles are",
+        [&] { return moving.temperature; });
   }
+  const auto add_range = [&](const Field& field, auto&& measure) {
+    const Range r = state ? measure() : Range{0, 0};
+    add(field.dataset + "_min", field.unit, "least value of a cell: " + field.text, [&] { return r.least; });
+    add(field.dataset + "_max", field.unit, "greatest value of a cell: " + field.text, [&] { return r.greatest; });
+  };
+  for (const Field& field : problem_.model().fields())
+    if (field.face_axis < 0) add_range(field, [&] { return range(state, field); });
+  for (const Field& field : derived_)
+    add_range(field, [&] { return range(derived[static_cast<std::size_t>(field.component)]); });
   for (const FluxPlane& plane : scene_.flux_planes) {
-    const auto through = [&](Phase phase) {
-      check_petsc(problem_.plane_flux(state, phase, plane.axis, plane.position, plane.patch, &flux), "flux plane");
-      return (plane.upward ? 1 : -1) * flux;
+    const auto through = [&](Phase phase, double* value) {
+      return problem_.plane_flux(state, phase, plane.axis, plane.position, plane.patch, value);
     };
-    values.push_back(through(Phase::solids) * mass_per_volume_);
-    if (with_gas_) values.push_back(through(Phase::gas) * mass_per_volume_ / scene_.kinetic.rho_s);
+    const int sign = plane.upward ? 1 : -1;
+    add("flux_" + plane.name, "kg/s", "mass of particles through flux plane " + plane.name,
+        [&] { return sign * flux(Phase::solids, through); });
+    if (with_gas_)
+      add("gas_flux_" + plane.name, "m3/s", "volume of gas through flux plane " + plane.name,
+          [&] { return sign * flux(Phase::gas, through); });
   }
-  return values;
+  return list;
 }
 
-Measures::Range Measures::range(Vec state, const Field& field) const {
+bool Measures::has_temperature() const {
+  return T_ >= 0 || scene_.model.temperature == TemperatureModel::algebraic;
+}
+
+Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& derived) const {
   const Lattice& grid = problem_.lattice();
-  const double* x;
-  check_petsc(VecGetArrayRead(state, &x), "range");
+  const Model& model = problem_.model();
+  const auto entries = derived_entries(problem_.setup().model, problem_.setup().solids);
+  const auto T = std::find(entries.begin(), entries.end(), CellClosure::temperature);
+  GhostedArray u;
+  check_petsc(u.open(problem_.dm(), state), "energies");
+  const auto value = [&](const Field& field, const Index& I) {
+    return field.scale * u.data()[grid.ghosted(I) * model.unknowns() + field.component];
+  };
+  const std::vector<Field>& fields = model.fields();
+  double sums[2]{0, 0}, greatest[2]{0, 0};
+  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+    if (!grid.inside(I)) return;
+    const double nu = value(fields[Model::solids_fraction], I);
+    double v_squared = 0;
+    for (const Field& field : fields) {
+      if (!field.is<SolidsMomentum>()) continue;
+      const double below = value(field, I), above = value(field, I + unit(field.face_axis));
+      v_squared += 0.5 * (below * below + above * above);
+    }
+    double T_cell = 0;
+    if (T_ >= 0) T_cell = value(fields[static_cast<std::size_t>(T_)], I);
+    if (T != entries.end())
+        T_cell = derived[static_cast<std::size_t>(T - entries.begin())].values[static_cast<std::size_t>(grid.owned(I))];
+    sums[0] += grid.volume(I) * 0.5 * nu * v_squared;
+    sums[1] += grid.volume(I) * 1.5 * nu * T_cell;
+    greatest[0] = std::max(greatest[0], nu * v_squared / scene_.kinetic.nu_max);
+    greatest[1] = std::max(greatest[1], nu * T_cell / scene_.kinetic.nu_max);
+  });
+  check_petsc(u.close(), "energies");
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm()));
+  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, greatest, 2, MPI_DOUBLE, MPI_MAX, comm);
+  return {sums[0], sums[1], std::sqrt(greatest[0]), greatest[1]};
+}
+
+Measures::Range Measures::range(const std::function<double(const Index&)>& value) const {
+  const Lattice& grid = problem_.lattice();
   Range r{HUGE_VAL, -HUGE_VAL};
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
     if (!grid.inside(I)) return;
-    const double value = field.scale * x[grid.owned(I) * problem_.model().unknowns() + field.component];
-    r.least = std::min(r.least, value);
-    r.greatest = std::max(r.greatest, value);
+    r.least = std::min(r.least, value(I));
+    r.greatest = std::max(r.greatest, value(I));
+  });
+  return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
+}
+
+Measures::Range Measures::range(Vec state, const Field& field) const {
+  const double* x;
+  check_petsc(VecGetArrayRead(state, &x), "range");
+  const Range r = range([&](const Index& I) {
+    return field.scale * x[problem_.lattice().owned(I) * problem_.model().unknowns() + field.component];
   });
   check_petsc(VecRestoreArrayRead(state, &x), "range");
-  return {reduced(r.least, MPI_MIN, problem_.dm()), reduced(r.greatest, MPI_MAX, problem_.dm())};
+  return r;
+}
+
+Measures::Range Measures::range(const CellField& field) const {
+  return range([&](const Index& I) { return field.values[static_cast<std::size_t>(problem_.lattice().owned(I))]; });
 }
 
 double Measures::greatest_speed(Vec state, const Unknown& velocity) const {

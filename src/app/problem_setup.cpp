@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "scree/balances/layout.hpp"
+#include "scree/model/derived_fields.hpp"
+#include "scree/output/probes.hpp"
 
 namespace scree {
 
@@ -37,8 +39,9 @@ Scales scales_of(const Case& scene) {
 
 }  // namespace
 
-ProblemSetup problem_setup(const Case& scene) {
+ProblemSetup problem_setup(const Case& scene, const ModelFactory& models) {
   ProblemSetup setup;
+  setup.models = models;
   setup.box = scene.box;
   setup.segments = scene.segments;
   setup.plates = scene.plates;
@@ -55,6 +58,13 @@ ProblemSetup problem_setup(const Case& scene) {
   }
   setup.scales = scales_of(scene);
   return setup;
+}
+
+void check_sampling(const Case& scene, const ModelFactory& models) {
+  const ProblemSetup setup = problem_setup(scene, models);
+  const std::vector<Field> fields = models.fields(setup.box.dim, setup.model, setup.solids, setup.scales);
+  for (const Probe& probe : scene.probes) select_fields(fields, probe.fields, "probe " + probe.name);
+  for (const Line& line : scene.lines) select_fields(fields, line.fields, "line " + line.name);
 }
 
 }  // namespace scree

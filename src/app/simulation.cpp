@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "scree/app/derived_cells.hpp"
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
 #include "scree/balances/layout.hpp"
 #include "scree/output/atomic_file.hpp"
-#include "scree/output/checkpoint.hpp"
 #include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/solver/consistent_gas.hpp"
@@ -34,14 +35,6 @@ const char* name_of(TimeScheme scheme) {
   return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
 }
 
-void print_solver(MPI_Comm comm, const Case& scene, const Model& model, int fill) {
-  PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
-  for (const auto& [name, value] :
-       preset_options(name_of(scene.solver.preset), model.unknowns(), model.component<GasContinuity>(), fill))
-    PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
-  PetscPrintf(comm, "\n");
-}
-
 PresetTrial::Rule trial_rule(const Case& scene) {
   if (scene.gas.model == GasModel::none) return PresetTrial::without_gas;
   return scene.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction : PresetTrial::with_gas;
@@ -54,10 +47,11 @@ StepControl Simulation::step_control(const Case& scene) {
   return {name_of(t.scheme), t.step_initial, t.step_min, t.step_max, t.accuracy, t.adaptive, scene.solver.extrapolate};
 }
 
-Simulation::Simulation(MPI_Comm comm, const Case& scene)
+Simulation::Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& models, Progress& log)
     : comm_(comm),
       scene_(scene),
-      problem_(problem_setup(scene)),
+      log_(log),
+      problem_(problem_setup(scene, models)),
       clock_(comm),
       first_preset_(scene.solver.preset),
       trial_(trial_rule(scene)) {
@@ -67,17 +61,25 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene)
   check_petsc(stepper_->create(0), "set-up of the solver");
   measures_ = std::make_unique<Measures>(scene_, problem_);
 
-  std::vector<ProbePoint> probes;
-  for (const Probe& p : scene_.probes) probes.push_back({p.name, p.point, p.fields});
-  std::vector<SampledLine> lines;
-  for (const Line& l : scene_.lines) lines.push_back({l.name, l.from, l.to, l.fields, 0});
-  probes_ = std::make_unique<ProbeSet>(scene_.box, problem_.dm(), problem_.model().fields(), probes);
-  lines_ = std::make_unique<LineSampler>(scene_.box, problem_.dm(), problem_.model().fields(), lines);
+  probes_ = std::make_unique<ProbeSet>(scene_.box, problem_.dm(), problem_.model().fields(), scene_.probes);
+  lines_ = std::make_unique<LineSampler>(scene_.box, problem_.dm(), problem_.model().fields(), scene_.lines);
+
+  if (std::isfinite(scene_.output.average_from))
+    average_ = std::make_unique<TimeAverage>(problem_.dm(), scene_.output.average_from);
 
   if (scene_.output.restart.empty())
     start_new();
   else
     restart();
+}
+
+void Simulation::print_solver(int fill) const {
+  const Model& model = problem_.model();
+  std::string options;
+  for (const auto& [name, value] :
+       preset_options(name_of(scene_.solver.preset), model.unknowns(), model.component<GasContinuity>(), fill))
+    options += " -" + name + ' ' + value;
+  log_.remark("solver preset %s:%s", name_of(scene_.solver.preset), options.c_str());
 }
 
 void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
@@ -87,7 +89,7 @@ void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
   scene_.solver.preset = preset;
   check_petsc(apply_preset(name_of(preset), model.unknowns(), model.component<GasContinuity>(), &preset_options_, fill),
               "solver preset");
-  if (scene_.solver.view) print_solver(comm_, scene_, model, fill);
+  if (scene_.solver.view) print_solver(fill);
 }
 
 void Simulation::apply_trial() {
@@ -99,7 +101,7 @@ void Simulation::reconsider_preset(const StepReport& report) {
   if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
   apply_trial();
   check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
-  PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on\n", stepper_->time(),
+  log_.remark("time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on", stepper_->time(),
               trial_.iterations(), name_of(scene_.solver.preset),
               !trial_.multigrid() && trial_.fill() > 0 ? " with ILU(1)" : "");
 }
@@ -118,12 +120,12 @@ void Simulation::make_gas_consistent() {
   bool done;
   check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), stepper_->time(), stepper_->state(), &done),
               "consistent gas");
-  if (!done) PetscPrintf(comm_, "no consistent gas pressure found at t = %g s: it starts as it is\n", stepper_->time());
+  if (!done) log_.remark("no consistent gas pressure found at t = %g s: it starts as it is", stepper_->time());
 }
 
 void Simulation::restart() {
   const Checkpoint saved = read_checkpoint(scene_.output.restart, scene_.box, problem_.dm(), problem_.model().fields());
-  if (!saved.remark.empty()) PetscPrintf(comm_, "%s\n", saved.remark.c_str());
+  if (!saved.remark.empty()) log_.remark("%s", saved.remark.c_str());
   const double time = saved.scalar("time");
   if (time > scene_.time.end_time * (1 + 1e-12))  // at the end: a run that was cut off while it finished
     throw std::runtime_error("restart: " + saved.file + " is at " + std::to_string(time) +
@@ -131,68 +133,89 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
-  trial_.state() = {saved.scalar("trial_multigrid", 0) > 0,
-                    static_cast<int>(saved.scalar("trial_fill", 0)),
-                    static_cast<int>(saved.scalar("trial_newton", 0)),
-                    static_cast<int>(saved.scalar("trial_krylov", 0)),
-                    static_cast<int>(saved.scalar("trial_returns", 0)),
-                    static_cast<int>(saved.scalar("trial_windows", 0)),
-                    static_cast<int>(saved.scalar("trial_since_failure", PresetTrial::seldom)),
-                    saved.scalar("trial_with_first", 0),
-                    saved.scalar("trial_with_multigrid", 0)};
+  restore_members(saved, "trial_", trial_.state());
   if (!scene_.solver.preset_given && (trial_.multigrid() || trial_.fill() > 0)) apply_trial();
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
-  stepper_->history() = {saved.scalar("dt_next"),
-                         {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
-                         static_cast<int>(saved.scalar("easy_steps")),
-                         {static_cast<int>(saved.scalar("calm_steps")), static_cast<int>(saved.scalar("calm_wait"))},
-                         static_cast<FirstGuess>(static_cast<int>(saved.scalar("guess")))};
+  restore_members(saved, "", stepper_->history());
   check_petsc(stepper_->set_time(time), "restart");
-  totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
-             saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
-             saved.scalar("imbalance"),      saved.scalar("gas_imbalance"),   saved.scalar("initial_volume"),
-             saved.scalar("dt_max")};
-  next_fields_ = saved.scalar("next_fields");
-  next_checkpoint_ = saved.scalar("next_checkpoint");
+  restore_members(saved, "", totals_);
+  restore_average(saved);
   open_outputs(time);
-  PetscPrintf(comm_, "going on from %s at t = %g s\n", saved.file.c_str(), time);
+  log_.remark("going on from %s at t = %g s", saved.file.c_str(), time);
+}
+
+void Simulation::restore_average(const Checkpoint& saved) {
+  if (!average_) return;
+  if (saved.has("average")) {
+    check_petsc(VecCopy(saved.vector("average"), average_->sum()), "restart");
+    restore_members(saved, "", *average_);
+  } else if (saved.scalar("time") > scene_.output.average_from) {
+    log_.remark("output_average_from: %s holds no averages, they begin at its time", saved.file.c_str());
+  }
 }
 
 void Simulation::open_outputs(std::optional<double> restart_time) {
   const std::string& directory = scene_.output.directory;
   prepare_directory(comm_, directory, scene_.output.restart, scene_.output.overwrite);
-  monitor_ = std::make_unique<MonitorFile>(comm_, directory + "/monitor.csv", monitor_columns(), restart_time);
+  std::vector<Column> columns;
+  for (const Quantity& quantity : monitor_row(nullptr)) columns.push_back(quantity.column);
+  monitor_ = std::make_unique<MonitorFile>(comm_, directory + "/monitor.csv", columns, restart_time);
   on_first_rank(comm_, [&] { write_text_atomically(directory + "/case.yaml", scene_.effective_yaml); });
   fields_ =
       std::make_unique<FieldWriter>(directory, scene_.box, problem_.dm(), problem_.model().fields(), restart_time);
   stop_ = std::make_unique<StopRequest>(comm_, scene_.output.wall_clock_budget);
+  clock_.start_phases();
+  field_times_ = OutputTimes(scene_.output.field_interval, stepper_->time());
+  checkpoint_times_ = OutputTimes(scene_.output.checkpoint_interval, stepper_->time());
 }
 
-/// The time that the next step must not pass: the end, or a start or end of a time window.
-double Simulation::next_event() const {
-  double event = scene_.time.end_time;
+/// The next start or end of a time window, infinite if there is none.
+double Simulation::next_window() const {
+  double next = std::numeric_limits<double>::infinity();
   const auto consider = [&](double time) {
-    if (time > stepper_->time() * (1 + 1e-12)) event = std::min(event, time);
+    if (time > stepper_->time() * (1 + 1e-12)) next = std::min(next, time);
   };
   for (const Segment& segment : scene_.segments) {
     consider(segment.condition.from);
     consider(segment.condition.until);
   }
-  return event;
+  return next;
+}
+
+/// The time that the next step must not pass.
+double Simulation::next_limit() const {
+  const double window = next_window();
+  const double next = std::min({scene_.time.end_time, window, field_times_.next(), checkpoint_times_.next()});
+  return window <= next * (1 + 1e-12) ? window : next;  // what differs by rounding waits for the window
+}
+
+/// A step that ends exactly where it must not pass, if it comes so far.
+void Simulation::step(StepReport* report) {
+  const double limit = next_limit();
+  check_petsc(stepper_->step(limit, report), "time step");
+  if (report->failed || stepper_->time() < limit * (1 - 1e-12)) return;
+  check_petsc(stepper_->set_time(limit), "time step");
+}
+
+/// The conditions of the sides change at the time that has been reached.
+void Simulation::enter_window() {
+  check_petsc(problem_.update_conditions(stepper_->time()), "time window");
+  check_petsc(stepper_->restart_after_event(), "time window");
+  make_gas_consistent();
 }
 
 void Simulation::run() {
-  Progress progress(comm_, stepper_->time(), scene_.time.end_time);
+  log_.begin(stepper_->time(), scene_.time.end_time);
   std::string end = "end_time";
   while (stepper_->time() < scene_.time.end_time * (1 - 1e-12)) {
     if (stop_->requested()) {
       end = stop_->reason();
       break;
     }
-    const double event = next_event();
+    const double window = next_window();
     StepReport report;
-    check_petsc(stepper_->step(event, &report), "time step");
+    step(&report);
     if (report.failed) {
       write_checkpoint();
       write_summary("no step works");
@@ -205,20 +228,23 @@ void Simulation::run() {
     }
     account(report);
     reconsider_preset(report);
-    if (event < scene_.time.end_time && stepper_->time() >= event * (1 - 1e-12)) {
-      check_petsc(problem_.update_conditions(stepper_->time()), "time window");
-      check_petsc(stepper_->restart_after_event(), "time window");
-      make_gas_consistent();
-    }
-    if (static_cast<long>(totals_.steps) % scene_.output.monitor_every == 0) append_monitor(report);
-    if (scene_.output.field_interval > 0 && stepper_->time() >= next_fields_ * (1 - 1e-12)) write_fields();
-    if (scene_.output.checkpoint_interval > 0 && stepper_->time() >= next_checkpoint_ * (1 - 1e-12)) write_checkpoint();
-    progress.update(static_cast<int>(totals_.steps), stepper_->time(), report.dt);
+    if (stepper_->time() >= window && window < scene_.time.end_time) enter_window();
+    if (monitor_due()) append_monitor(report);
+    if (field_times_.due(stepper_->time())) write_fields();
+    if (checkpoint_times_.due(stepper_->time())) write_checkpoint();
+    log_.update(static_cast<int>(totals_.steps), stepper_->time(), report.dt);
   }
-  progress.finish();
+  log_.finish();
   if (!fields_->last_time() || *fields_->last_time() < stepper_->time()) write_fields();
   write_checkpoint();
   write_summary(end);
+}
+
+/// At every so many steps, and where fields are written.
+bool Simulation::monitor_due() const {
+  const double time = stepper_->time();
+  return static_cast<long>(totals_.steps) % scene_.output.monitor_every == 0 || field_times_.due(time) ||
+         time >= scene_.time.end_time * (1 - 1e-12);
 }
 
 void Simulation::account(const StepReport& report) {
@@ -233,27 +259,7 @@ void Simulation::account(const StepReport& report) {
   totals_.imbalance += report.imbalance.solids;
   totals_.gas_imbalance += report.imbalance.gas;
   totals_.dt_max = std::max(totals_.dt_max, report.dt);
-}
-
-std::vector<Column> Simulation::monitor_columns() const {
-  std::vector<Column> columns{{"time", "s"},
-                              {"dt", "s"},
-                              {"newton_iterations", "1"},
-                              {"krylov_iterations", "1"},
-                              {"rejected_error", "1"},
-                              {"rejected_solver", "1"},
-                              {"limited", "1"},
-                              {"local_error", "1"},
-                              {"mass_error", "1"},
-                              {"cpu_seconds", "s"},
-                              {"cpu_residual", "s"},
-                              {"cpu_jacobian", "s"},
-                              {"cpu_setup", "s"},
-                              {"cpu_solve", "s"}};
-  if (scene_.gas.model != GasModel::none) columns.push_back({"gas_volume_error", "1"});
-  for (const auto* more : {&measures_->columns(), &probes_->columns()})
-    columns.insert(columns.end(), more->begin(), more->end());
-  return columns;
+  if (average_) average_->add(report.time, report.dt, stepper_->state());
 }
 
 double Simulation::mass_error() const {
@@ -267,73 +273,65 @@ double Simulation::gas_volume_error() const {
   return totals_.gas_imbalance / (box - totals_.initial_volume);
 }
 
+/// The columns of monitor.csv with their values; without a report the columns alone.
+std::vector<Quantity> Simulation::monitor_row(const StepReport* report) const {
+  const StepReport step = report ? *report : StepReport();
+  const PhaseSeconds cpu = report ? clock_.read() : PhaseSeconds();
+  std::vector<Quantity> row{
+      {{"time", "s", "time reached"}, stepper_->time()},
+      {{"dt", "s", "length of the step"}, step.dt},
+      {{"newton_iterations", "1", "of the step, failed attempts included"}, static_cast<double>(step.newton)},
+      {{"krylov_iterations", "1", "of the step, failed attempts included"}, static_cast<double>(step.krylov)},
+      {{"rejected_error", "1", "attempts at the step given up for their local error"},
+       static_cast<double>(step.rejected_error)},
+      {{"rejected_solver", "1", "attempts at the step in which Newton's method or the linear solver failed"},
+       static_cast<double>(step.rejected_solver)},
+      {{"limited", "1", "unknowns held back from values outside of the model, since the start"}, totals_.limited},
+      {{"local_error", "1", "local error of the step over what accuracy allows"}, step.error},
+      {{"mass_error", "1", "mass of particles lost or gained since the start, over the mass at the start"},
+       mass_error()},
+      {{"cpu_seconds", "s", "CPU time of all ranks since the start of the program"}, cpu.cpu},
+      {{"cpu_residual", "s", "of it, since the first step: residuals"}, cpu.residual},
+      {{"cpu_jacobian", "s", "of it, since the first step: Jacobians"}, cpu.jacobian},
+      {{"cpu_setup", "s", "of it, since the first step: set-up of preconditioners"}, cpu.setup},
+      {{"cpu_solve", "s", "of it, since the first step: the rest of Newton's method, mainly Krylov iterations"},
+       cpu.solve}};
+  if (scene_.gas.model != GasModel::none)
+    row.push_back({{"gas_volume_error", "1", "volume of gas lost or gained since the start, over that at the start"},
+                   gas_volume_error()});
+  for (const Quantity& quantity : measures_->quantities(report ? stepper_->state() : nullptr)) row.push_back(quantity);
+  const std::vector<double> at_probes = report ? probes_->values(stepper_->state()) : std::vector<double>();
+  for (std::size_t k = 0; k < probes_->columns().size(); ++k)
+    row.push_back({probes_->columns()[k], report ? at_probes[k] : 0.0});
+  return row;
+}
+
 void Simulation::append_monitor(const StepReport& report) {
-  const PhaseSeconds cpu = clock_.read();
-  std::vector<double> row{stepper_->time(),
-                          report.dt,
-                          static_cast<double>(report.newton),
-                          static_cast<double>(report.krylov),
-                          static_cast<double>(report.rejected_error),
-                          static_cast<double>(report.rejected_solver),
-                          totals_.limited,
-                          report.error,
-                          mass_error(),
-                          cpu.cpu,
-                          cpu.residual,
-                          cpu.jacobian,
-                          cpu.setup,
-                          cpu.solve};
-  if (scene_.gas.model != GasModel::none) row.push_back(gas_volume_error());
-  for (const auto& more : {measures_->values(stepper_->state()), probes_->values(stepper_->state())})
-    row.insert(row.end(), more.begin(), more.end());
-  monitor_->append(row);
+  std::vector<double> values;
+  for (const Quantity& quantity : monitor_row(&report)) values.push_back(quantity.value);
+  monitor_->append(values);
 }
 
 void Simulation::write_fields() {
-  const double interval = scene_.output.field_interval;
-  const int index = fields_->write(stepper_->time(), stepper_->state());
+  const int index = fields_->write(stepper_->time(), stepper_->state(), derived_cells(problem_, stepper_->state()),
+                                   average_ && !average_->empty() ? average_->mean() : nullptr);
   lines_->write(scene_.output.directory, index, stepper_->time(), stepper_->state());
-  if (interval > 0) next_fields_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
+  field_times_.pass(stepper_->time());
 }
 
 void Simulation::write_checkpoint() {
-  const double interval = scene_.output.checkpoint_interval;
-  if (interval > 0) next_checkpoint_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
-  const StepHistory& history = stepper_->history();
-  const PresetTrial::State& trial = trial_.state();
+  NamedScalars scalars{{"time", stepper_->time()}};
+  store_members(stepper_->history(), "", scalars);
+  store_members(trial_.state(), "trial_", scalars);
+  store_members(totals_, "", scalars);
+  NamedVecs vectors{{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}};
+  if (average_) {
+    store_members(*average_, "", scalars);
+    vectors.push_back({"average", average_->sum()});
+  }
   scree::write_checkpoint(scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(),
-                          problem_.model().fields(),
-                          {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
-                          {{"time", stepper_->time()},
-                           {"dt_next", history.dt_next},
-                           {"dt_past_0", history.dt_past[0]},
-                           {"dt_past_1", history.dt_past[1]},
-                           {"easy_steps", history.easy_steps},
-                           {"calm_steps", history.newton.calm},
-                           {"calm_wait", history.newton.wait},
-                           {"guess", static_cast<double>(history.guess)},
-                           {"trial_multigrid", trial.multigrid ? 1 : 0},
-                           {"trial_fill", trial.fill},
-                           {"trial_newton", trial.newton},
-                           {"trial_krylov", trial.krylov},
-                           {"trial_returns", trial.returns},
-                           {"trial_windows", trial.windows},
-                           {"trial_since_failure", trial.since_failure},
-                           {"trial_with_first", trial.with_first},
-                           {"trial_with_multigrid", trial.with_multigrid},
-                           {"steps", totals_.steps},
-                           {"newton", totals_.newton},
-                           {"krylov", totals_.krylov},
-                           {"rejected_error", totals_.rejected_error},
-                           {"rejected_solver", totals_.rejected_solver},
-                           {"limited", totals_.limited},
-                           {"imbalance", totals_.imbalance},
-                           {"gas_imbalance", totals_.gas_imbalance},
-                           {"initial_volume", totals_.initial_volume},
-                           {"dt_max", totals_.dt_max},
-                           {"next_fields", next_fields_},
-                           {"next_checkpoint", next_checkpoint_}},
-                          {{"case", scene_.effective_yaml}});
+                          problem_.model().fields(), vectors, scalars, {{"case", scene_.effective_yaml}});
+  checkpoint_times_.pass(stepper_->time());
   check_petsc(stepper_->forget_preconditioner(), "checkpoint");
 }
 
@@ -346,8 +344,8 @@ void Simulation::write_summary(const std::string& end) {
   Summary summary;
   summary["end"] = end;
   summary["time"] = stepper_->time();
-  const auto values = measures_->values(stepper_->state());
-  for (std::size_t k = 0; k < values.size(); ++k) summary["quantities"][measures_->columns()[k].name] = values[k];
+  for (const Quantity& quantity : measures_->quantities(stepper_->state()))
+    summary["quantities"][quantity.column.name] = quantity.value;
   summary["quantities"]["mass_error"] = mass_error();
   if (scene_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();
   summary["cells"] = cells;
@@ -372,6 +370,8 @@ void Simulation::write_summary(const std::string& end) {
   char version[256];
   check_petsc(PetscGetVersion(version, sizeof version), "version");
   summary["versions"] = {{"scree", SCREE_VERSION}, {"petsc", version}};
+  for (const auto& [column, value] : monitor_row(nullptr))
+    summary["monitor_columns"][column.name] = {{"unit", column.unit}, {"text", column.text}};
   scree::write_summary(comm_, scene_.output.directory + "/summary.json", summary);
 }
 

@@ -9,10 +9,17 @@ void declare_files(OptionSet& o, OutputParameters& output) {
   o.group("output");
   o.text("output_dir", output.directory, "a directory", "where the run leaves its files");
   o.boolean("output_overwrite", output.overwrite, "allow a directory that holds a run already");
-  o.real("output_interval", output.field_interval, "s", non_negative(), "between fields; 0: only first and last");
+  o.real("output_interval", output.field_interval, "s", non_negative(),
+         "between fields and lines, which are also written at the start and at the end; a step ends at each of these "
+         "times, so that intervals shorter than the steps that the accuracy allows cost steps; 0: only first and last");
   o.real("checkpoint_interval", output.checkpoint_interval, "s", non_negative(),
-         "simulated time between checkpoints; 0: only the last");
-  o.integer("monitor_every", output.monitor_every, 1, "steps between rows of monitor.csv");
+         "simulated time between checkpoints; a step ends at each, and the next sets its solver up anew; 0: only the "
+         "last");
+  o.real("output_average_from", output.average_from, "s", non_negative(),
+         "start of time averages of all fields, which are written beside them as mean_...")
+      .unset_by_default("no averages");
+  o.integer("monitor_every", output.monitor_every, 1,
+            "steps between rows of monitor.csv, probes among them; there is one at the times of the fields too");
   o.real("wall_clock_budget", output.wall_clock_budget, "s", non_negative(),
          "wall-clock time after which the run writes a checkpoint and ends; 0: none");
   o.text("restart", output.restart, "a directory of a run", "run to go on from");

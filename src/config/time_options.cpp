@@ -10,7 +10,9 @@ void declare_time(OptionSet& o, TimeParameters& time) {
   o.real("end_time", time.end_time, "s", non_negative(), "time at which the run ends");
   o.real("accuracy", time.accuracy, "-", {0, 1, false, false, "in (0, 1)"},
          "relative local error that a step may make");
-  o.boolean("time_step_adaptive", time.adaptive, "no: all steps are time_step_initial");
+  o.boolean(
+      "time_step_adaptive", time.adaptive,
+      "no: all steps are time_step_initial, but for those cut to end at the time of an output or of a time window");
   o.real("time_step_initial", time.step_initial, "s", positive(), "first step");
   o.real("time_step_min", time.step_min, "s", positive(),
          "the run ends with an error where only steps below this would work, also where fixed steps are cut");

@@ -24,11 +24,15 @@ std::unique_ptr<Model> with_gas(const ModelSetup& setup) {
 
 }  // namespace
 
-std::pair<int, int> ModelFactory::extent(int dim, const ModelParameters& model, const SolidsParameters& solids) const {
-  int unknowns = 0;
+std::vector<Field> ModelFactory::fields(int dim, const ModelParameters& model, const SolidsParameters& solids,
+                                        const Scales& scales) const {
   std::vector<const Unknown*> all = present_unknowns(model, solids);
   all.insert(all.end(), further.begin(), further.end());
-  for (const Unknown* unknown : all) unknowns += unknown->place == Place::face ? dim : 1;
+  return fields_of(all, dim, scales);
+}
+
+std::pair<int, int> ModelFactory::extent(int dim, const ModelParameters& model, const SolidsParameters& solids) const {
+  const int unknowns = static_cast<int>(fields(dim, model, solids, Scales()).size());
   return {unknowns, model.advection == AdvectionScheme::upwind ? 2 : 3};
 }
 

@@ -10,10 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "scree/grid/axis_name.hpp"
 #include "scree/output/checksum.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/output/hdf5_file.hpp"
-#include "scree/output/node_layout.hpp"
+#include "scree/output/node_block.hpp"
 #include "scree/output/seal.hpp"
 
 namespace scree {
@@ -28,13 +29,14 @@ constexpr int format_version = 2;
 
 // ---- checksums: position and bits of each number, added up, hence independent of the number of ranks
 
-/// Collective. Checksum of an array over the owned nodes, dof numbers a node.
-std::string checksum(MPI_Comm comm, const NodeLayout& layout, const double* values) {
+/// Collective. Checksum of an array over the owned nodes, `dof` numbers a node.
+std::string checksum(MPI_Comm comm, const Lattice& grid, int dof, const double* values) {
   std::uint64_t sum = 0, total = 0;
-  for_each_node(layout.owned, [&](const auto& node) {
-    const std::uint64_t row = static_cast<std::uint64_t>(node[2]) * layout.nodes[1] + node[1];
-    std::uint64_t place = (row * layout.nodes[0] + node[0]) * layout.dof;
-    for (int component = 0; component < layout.dof; ++component, ++place) {
+  const Index nodes = nodes_of(grid);
+  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& node) {
+    const std::uint64_t row = static_cast<std::uint64_t>(node[2]) * nodes[1] + node[1];
+    std::uint64_t place = (row * nodes[0] + node[0]) * dof;
+    for (int component = 0; component < dof; ++component, ++place) {
       std::uint64_t bits;
       std::memcpy(&bits, values++, sizeof bits);
       sum += spread(bits ^ spread(place));
@@ -56,7 +58,7 @@ Json grid_json(const Box& box) {
   Json grid;
   grid["dim"] = box.dim;
   for (int axis = 0; axis < box.dim; ++axis) {
-    const std::string name(1, "xyz"[axis]);
+    const std::string name = axis_name(axis);
     grid["periodic"].push_back(box.periodic[axis]);
     grid[name + "_faces"] = box.faces[axis];
   }
@@ -91,7 +93,7 @@ bool close(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(std:
 std::string grid_difference(const Json& grid, const Box& box) {
   if (grid.at("dim") != box.dim) return "the file has another dimension";
   for (int axis = 0; axis < box.dim; ++axis) {
-    const std::string name(1, "xyz"[axis]);
+    const std::string name = axis_name(axis);
     const auto faces = grid.at(name + "_faces").get<std::vector<double>>();
     const auto& wanted = box.faces[axis];
     if (faces.size() != wanted.size()) {
@@ -241,21 +243,22 @@ bool read_slab(hid_t file, const std::string& name, const Slab& slab, double* va
 }
 
 /// Collective. Reads and verifies all vectors that the header names; the same std::runtime_error on all ranks.
-void read_vectors(Checkpoint& checkpoint, const Json& header, const NodeLayout& layout, DM dm) {
+void read_vectors(Checkpoint& checkpoint, const Json& header, const Lattice& grid, DM dm) {
   const MPI_Comm comm = communicator(dm);
   const QuietHdf5 quiet;
   const Hdf5Handle access = shared_access(comm);
   const Hdf5Handle file(H5Fopen(checkpoint.file.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
   const std::string complaint = "checkpoint '" + checkpoint.file + "' cannot be used: ";
   agree(comm, file.valid(), complaint + "it cannot be opened by all ranks");
-  const Slab slab = slab_of(layout.dim, layout.nodes, layout.owned, layout.dof);
+  const int dof = unknowns_of(dm);
+  const Slab slab = slab_of(grid.dim, nodes_of(grid), owned_block(grid), dof);
   for (const auto& [name, sum] : header.at("vectors").items()) {
     const Checkpoint::OwnedVec vector = new_vector(dm);
     PetscScalar* values = nullptr;
     check_petsc(VecGetArray(vector.get(), &values), "vector of a checkpoint");
     const bool read = read_slab(file.id(), name, slab, values);
-    const std::string found = checksum(comm, layout, values);
-    const bool finite = std::all_of(values, values + layout.owned.size() * layout.dof,
+    const std::string found = checksum(comm, grid, dof, values);
+    const bool finite = std::all_of(values, values + static_cast<std::size_t>(grid.owned_size()) * dof,
                                     [](PetscScalar value) { return std::isfinite(value); });
     check_petsc(VecRestoreArray(vector.get(), &values), "vector of a checkpoint");
     agree(comm, read, complaint + "vector " + name + " is missing or damaged");
@@ -281,7 +284,8 @@ std::string write_checkpoint(const std::string& directory, int index, const Box&
                              const std::vector<Field>& fields, const NamedVecs& vectors, const NamedScalars& scalars,
                              const NamedStrings& strings) {
   const MPI_Comm comm = communicator(dm);
-  const NodeLayout layout = node_layout(box, dm);
+  const Lattice grid = checked_lattice(box, dm);
+  const int dof = unknowns_of(dm);
   char name[24];
   std::snprintf(name, sizeof name, "%08d.h5", index);
   const std::string path = directory + "/checkpoints/" + name;
@@ -289,20 +293,20 @@ std::string write_checkpoint(const std::string& directory, int index, const Box&
 
   Json header{{"format", format_name}, {"version", format_version}, {"index", index}};
   header["grid"] = grid_json(box);
-  header["dof"] = layout.dof;
+  header["dof"] = dof;
   header["fields"] = fields_json(fields);
   header["scalars"] = Json::object();
   for (const auto& [key, value] : scalars) header["scalars"][key] = scalar_json(value);
   header["strings"] = strings;
   header["vectors"] = Json::object();
   Hdf5Writer file(comm, path);
-  const Slab slab = slab_of(layout.dim, layout.nodes, layout.owned, layout.dof);
+  const Slab slab = slab_of(grid.dim, nodes_of(grid), owned_block(grid), dof);
   for (const auto& [key, vector] : vectors) {
     const PetscScalar* values = nullptr;
     check_petsc(VecGetArrayRead(vector, &values), "vector of a checkpoint");
-    std::vector<double> copy(values, values + layout.owned.size() * layout.dof);
+    std::vector<double> copy(values, values + static_cast<std::size_t>(grid.owned_size()) * dof);
     check_petsc(VecRestoreArrayRead(vector, &values), "vector of a checkpoint");
-    header["vectors"][key] = checksum(comm, layout, copy.data());
+    header["vectors"][key] = checksum(comm, grid, dof, copy.data());
     file.dataset("vectors/" + key, slab, std::move(copy));
   }
   const std::string text = header.dump();
@@ -330,7 +334,7 @@ double Checkpoint::scalar(const std::string& name) const {
 
 Checkpoint read_checkpoint(const std::string& source, const Box& box, DM dm, const std::vector<Field>& fields) {
   const MPI_Comm comm = communicator(dm);
-  const NodeLayout layout = node_layout(box, dm);
+  const Lattice grid = checked_lattice(box, dm);
   std::string complaints;
   for (const std::string& path : candidates(comm, source)) {
     std::string text;
@@ -341,9 +345,9 @@ Checkpoint read_checkpoint(const std::string& source, const Box& box, DM dm, con
       const Json header = Json::parse(broadcast(comm, text));
       std::string difference = grid_difference(header.at("grid"), box);
       if (difference.empty()) difference = fields_difference(header.at("fields"), fields);
-      if (difference.empty() && header.at("dof") != layout.dof) difference = "other unknowns in the nodes";
+      if (difference.empty() && header.at("dof") != unknowns_of(dm)) difference = "other unknowns in the nodes";
       if (!difference.empty()) throw std::runtime_error("checkpoint '" + path + "' is of another case: " + difference);
-      complaint = complaint_of([&] { read_vectors(checkpoint, header, layout, dm); });
+      complaint = complaint_of([&] { read_vectors(checkpoint, header, grid, dm); });
       if (complaint.empty()) {
         for (const auto& [key, value] : header.at("scalars").items()) checkpoint.scalars[key] = scalar_from(value);
         for (const auto& [key, value] : header.at("strings").items()) checkpoint.strings[key] = value;

@@ -7,10 +7,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "scree/grid/axis_name.hpp"
+#include "scree/grid/ghosted.hpp"
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/output/hdf5_file.hpp"
-#include "scree/output/node_layout.hpp"
+#include "scree/output/node_block.hpp"
 
 namespace scree {
 
@@ -25,16 +27,14 @@ const std::string collection_tail = "    </Grid>\n  </Domain>\n</Xdmf>\n";
 const std::string entry_begin = "      <Grid Name=\"";
 const std::string entry_end = "      </Grid>\n";
 
-std::string axis_name(int axis) { return std::string(1, "xyz"[axis]); }
-
 std::string file_name(int index) {
   char name[32];
   std::snprintf(name, sizeof name, "fields/%06d.h5", index);
   return name;
 }
 
-std::array<int, max_dim> cells_of(const Box& box) {
-  std::array<int, max_dim> shape{1, 1, 1};
+Index cells_of(const Box& box) {
+  Index shape{{1, 1, 1}};
   for (int axis = 0; axis < box.dim; ++axis) shape[axis] = box.cells(axis);
   return shape;
 }
@@ -50,11 +50,22 @@ std::vector<Field> vectors_of(const std::vector<Field>& fields) {
   return vectors;
 }
 
+/// The fields of a mean over time.
+std::vector<Field> means_of(std::vector<Field> fields) {
+  for (Field& field : fields) {
+    field.dataset = "mean_" + field.dataset;
+    field.text = "mean over time: " + field.text;
+  }
+  return fields;
+}
+
 /// The datasets of one file, from one state.
 class FieldFile {
  public:
   FieldFile(Hdf5Writer& file, const Box& box, DM dm, Vec state)
-      : file_(file), box_(box), layout_(node_layout(box, dm)), state_(dm, layout_, state) {}
+      : file_(file), box_(box), grid_(checked_lattice(box, dm)), unknowns_(unknowns_of(dm)) {
+    check_petsc(state_.open(dm, state), "ghost values");
+  }
 
   void coordinates() {
     for (int axis = 0; axis < box_.dim; ++axis) {
@@ -64,14 +75,36 @@ class FieldFile {
     }
   }
 
-  /// A cell-centred field, or the raw values of a component at its faces.
-  void raw(const Field& field) {
-    std::array<int, max_dim> shape = cells_of(box_);
-    if (field.face_axis >= 0) ++shape[field.face_axis];
-    const NodeBlock part = layout_.part_of(shape);
+  /// All that is stored: raw, and vectors at the cell centres.
+  void unknowns(const std::vector<Field>& fields) {
+    for (const Field& field : fields) raw(field);
+    for (const Field& first : vectors_of(fields)) vector(first, fields);
+  }
+
+  /// A cell-centred field that is no unknown.
+  void derived(const CellField& field) {
+    const Index shape = cells_of(box_);
+    const NodeBlock part = part_of(grid_, shape);
     std::vector<double> values;
     values.reserve(part.size());
-    for_each_node(part, [&](const auto& node) { values.push_back(field.scale * state_(node, field.component)); });
+    for_each_node(part.first, part.count, [&](const Index& node) {
+      values.push_back(field.values[static_cast<std::size_t>(grid_.owned(node))]);
+    });
+    const std::string name = column_name(field.field);
+    file_.dataset(name, slab_of(box_.dim, shape, part), std::move(values));
+    describe(name, field.field.unit, field.field.text, field.field.symbol);
+  }
+
+ private:
+  /// A cell-centred field, or the raw values of a component at its faces.
+  void raw(const Field& field) {
+    Index shape = cells_of(box_);
+    if (field.face_axis >= 0) ++shape[field.face_axis];
+    const NodeBlock part = part_of(grid_, shape);
+    std::vector<double> values;
+    values.reserve(part.size());
+    for_each_node(part.first, part.count,
+                  [&](const Index& node) { values.push_back(field.scale * stored(node, field.component)); });
     const std::string name = column_name(field) + (field.face_axis < 0 ? "" : "_face");
     file_.dataset(name, slab_of(box_.dim, shape, part), std::move(values));
     const std::string place = field.face_axis < 0 ? "" : ", at the faces of axis " + axis_name(field.face_axis);
@@ -80,16 +113,14 @@ class FieldFile {
 
   /// A vector at the cell centres: the mean of the two faces; absent components are zero.
   void vector(const Field& first, const std::vector<Field>& fields) {
-    const std::array<int, max_dim> shape = cells_of(box_);
-    const NodeBlock part = layout_.part_of(shape);
+    const Index shape = cells_of(box_);
+    const NodeBlock part = part_of(grid_, shape);
     std::vector<double> values(part.size() * max_dim, 0.0);
     for (const Field& field : fields) {
       if (field.dataset != first.dataset || field.face_axis < 0) continue;
       size_t cell = 0;
-      for_each_node(part, [&](const auto& node) {
-        auto above = node;
-        ++above[field.face_axis];
-        const double sum = state_(node, field.component) + state_(above, field.component);
+      for_each_node(part.first, part.count, [&](const Index& node) {
+        const double sum = stored(node, field.component) + stored(node + unit(field.face_axis), field.component);
         values[max_dim * cell++ + field.face_axis] = 0.5 * field.scale * sum;
       });
     }
@@ -97,7 +128,9 @@ class FieldFile {
     describe(first.dataset, first.unit, first.text + ", at cell centres", first.symbol);
   }
 
- private:
+  double stored(const Index& node, int component) const {
+    return state_.data()[grid_.ghosted(node) * unknowns_ + component];
+  }
   void describe(const std::string& name, const std::string& unit, const std::string& text, const std::string& symbol) {
     file_.attribute(name, "unit", unit);
     file_.attribute(name, "text", text);
@@ -106,8 +139,9 @@ class FieldFile {
 
   Hdf5Writer& file_;
   const Box& box_;
-  NodeLayout layout_;
-  GhostedState state_;
+  Lattice grid_;
+  int unknowns_;
+  GhostedArray state_;
 };
 
 std::string data_item(const std::string& dimensions, const std::string& reference) {
@@ -129,7 +163,7 @@ std::string dimensions_text(const Box& box, int more) {
 FieldWriter::FieldWriter(std::string directory, const Box& box, DM dm, std::vector<Field> fields,
                          std::optional<double> restart_time)
     : directory_(std::move(directory)), box_(box), dm_(dm), fields_(std::move(fields)) {
-  node_layout(box, dm);  // throws if they do not fit
+  checked_lattice(box, dm);  // throws if they do not fit
   on_first_rank(communicator(dm), [this] { std::filesystem::create_directories(directory_ + "/fields"); });
   if (!restart_time) return;
   entries_ = read_collection();
@@ -145,23 +179,32 @@ std::optional<double> FieldWriter::last_time() const {
   return entries_.back().time;
 }
 
-int FieldWriter::write(double time, Vec state) {
+int FieldWriter::write(double time, Vec state, const std::vector<CellField>& derived, Vec mean) {
   const bool again = last_time() == time;
   const int index = again ? entries_.back().index : next_index();
   Hdf5Writer file(communicator(dm_), directory_ + "/" + file_name(index));
   FieldFile datasets(file, box_, dm_, state);
   file.attribute("/", "time", time);
   datasets.coordinates();
-  for (const Field& field : fields_) datasets.raw(field);
-  for (const Field& first : vectors_of(fields_)) datasets.vector(first, fields_);
+  datasets.unknowns(fields_);
+  std::vector<Field> written = fields_;
+  for (const CellField& field : derived) {
+    datasets.derived(field);
+    written.push_back(field.field);
+  }
+  if (mean) {
+    const std::vector<Field> means = means_of(fields_);
+    FieldFile(file, box_, dm_, mean).unknowns(means);
+    written.insert(written.end(), means.begin(), means.end());
+  }
   file.commit();
   if (again) entries_.pop_back();
-  entries_.push_back({index, time, entry_xml(index, time)});
+  entries_.push_back({index, time, entry_xml(index, time, written)});
   on_first_rank(communicator(dm_), [this] { write_collection(); });
   return index;
 }
 
-std::string FieldWriter::entry_xml(int index, double time) const {
+std::string FieldWriter::entry_xml(int index, double time, const std::vector<Field>& fields) const {
   char name[16], value[32];
   std::snprintf(name, sizeof name, "%06d", index);
   std::snprintf(value, sizeof value, "%.17g", time);
@@ -187,10 +230,10 @@ std::string FieldWriter::entry_xml(int index, double time) const {
     xml << "        <Attribute Name=\"" << dataset << "\" AttributeType=\"" << type << "\" Center=\"Cell\">"
         << data_item(dimensions, file + dataset) << "</Attribute>\n";
   };
-  for (const Field& field : fields_) {
+  for (const Field& field : fields) {
     if (field.face_axis < 0) attribute(field.dataset, "Scalar", cells);
   }
-  for (const Field& first : vectors_of(fields_)) attribute(first.dataset, "Vector", cells + " 3");
+  for (const Field& first : vectors_of(fields)) attribute(first.dataset, "Vector", cells + " 3");
   xml << entry_end;
   return xml.str();
 }

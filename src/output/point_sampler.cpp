@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scree/output/errors.hpp"
-#include "scree/output/node_layout.hpp"
+#include "scree/output/node_block.hpp"
 
 namespace scree {
 
@@ -50,7 +50,8 @@ Bracket bracket(const Box& box, int axis, bool at_faces, double x) {
 }  // namespace
 
 PointSampler::PointSampler(const Box& box, DM dm, const std::vector<Sample>& samples) : dm_(dm) {
-  const NodeLayout layout = node_layout(box, dm);
+  const Lattice grid = checked_lattice(box, dm);
+  const int unknowns = unknowns_of(dm);
   for (const Sample& sample : samples) {
     std::array<Bracket, max_dim> along;
     for (int axis = 0; axis < box.dim; ++axis) {
@@ -58,15 +59,15 @@ PointSampler::PointSampler(const Box& box, DM dm, const std::vector<Sample>& sam
     }
     std::array<Corner, corners> stencil;
     for (int corner = 0; corner < corners; ++corner) {
-      std::array<int, max_dim> node;
+      Index node;
       double weight = sample.field.scale;
       for (int axis = 0; axis < max_dim; ++axis) {
         const int side = corner >> axis & 1;
         node[axis] = along[axis].node[side];
         weight *= side ? along[axis].weight : 1 - along[axis].weight;
       }
-      const bool mine = weight != 0 && layout.owned.contains(node);
-      const auto offset = static_cast<PetscInt>(layout.owned.offset(node)) * layout.dof + sample.field.component;
+      const bool mine = weight != 0 && grid.is_owned(node);
+      const PetscInt offset = static_cast<PetscInt>(grid.owned(node)) * unknowns + sample.field.component;
       stencil[corner] = {mine ? offset : -1, weight};
     }
     stencils_.push_back(stencil);

@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "scree/grid/axis_name.hpp"
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/errors.hpp"
-#include "scree/output/node_layout.hpp"
+#include "scree/output/node_block.hpp"
 
 namespace scree {
 
@@ -18,7 +19,7 @@ void require_inside(const Box& box, const Point& point, const std::string& owner
     const double slack = 1e-9 * (box.upper(axis) - box.lower(axis));
     if (point[axis] >= box.lower(axis) - slack && point[axis] <= box.upper(axis) + slack) continue;
     char text[128];
-    std::snprintf(text, sizeof text, "%c = %g m is outside the box [%g, %g] m", "xyz"[axis], point[axis],
+    std::snprintf(text, sizeof text, "%s = %g m is outside the box [%g, %g] m", axis_names[axis], point[axis],
                   box.lower(axis), box.upper(axis));
     throw std::runtime_error(owner + ": " + text);
   }
@@ -32,14 +33,14 @@ std::vector<Sample> samples_at(const std::vector<Point>& points, const std::vect
   return samples;
 }
 
-std::vector<Sample> probe_samples(const Box& box, const std::vector<Field>& fields,
-                                  const std::vector<ProbePoint>& probes, std::vector<Column>& columns) {
+std::vector<Sample> probe_samples(const Box& box, const std::vector<Field>& fields, const std::vector<Probe>& probes,
+                                  std::vector<Column>& columns) {
   std::vector<Sample> samples;
-  for (const ProbePoint& probe : probes) {
+  for (const Probe& probe : probes) {
     const std::string owner = "probe " + probe.name;
     require_inside(box, probe.point, owner);
     for (const Field& field : select_fields(fields, probe.fields, owner)) {
-      columns.push_back({probe.name + '_' + column_name(field), field.unit});
+      columns.push_back({probe.name + '_' + column_name(field), field.unit, field.text + ", at " + owner});
       samples.push_back({probe.point, field});
     }
   }
@@ -53,10 +54,8 @@ Point between(const Point& from, const Point& to, double fraction) {
 }
 
 /// Fractions of the way from..to at which a line is sampled.
-std::vector<double> fractions(const Box& box, const SampledLine& line) {
+std::vector<double> fractions(const Box& box, const Line& line) {
   std::vector<double> result;
-  for (int i = 0; i < line.points; ++i) result.push_back(line.points > 1 ? double(i) / (line.points - 1) : 0.5);
-  if (line.points > 0) return result;
   int axis = 0;
   const auto length = [&](int a) { return std::abs(line.to[a] - line.from[a]); };
   for (int other = 1; other < box.dim; ++other) {
@@ -93,12 +92,12 @@ std::vector<Field> select_fields(const std::vector<Field>& fields, const std::ve
   return selected;
 }
 
-ProbeSet::ProbeSet(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<ProbePoint>& probes)
+ProbeSet::ProbeSet(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<Probe>& probes)
     : sampler_(box, dm, probe_samples(box, fields, probes, columns_)) {}
 
-LineSampler::LineSampler(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<SampledLine>& lines)
+LineSampler::LineSampler(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<Line>& lines)
     : comm_(communicator(dm)), dim_(box.dim) {
-  for (const SampledLine& line : lines) {
+  for (const Line& line : lines) {
     const std::string owner = "line " + line.name;
     require_inside(box, line.from, owner);
     require_inside(box, line.to, owner);
@@ -110,10 +109,10 @@ LineSampler::LineSampler(const Box& box, DM dm, const std::vector<Field>& fields
 }
 
 void LineSampler::write(const std::string& directory, int index, double time, Vec state) const {
-  for (const Line& line : lines_) {
+  for (const SampledLine& line : lines_) {
     const std::vector<double> values = line.sampler.values(state);
     std::string text = "time";
-    for (int axis = 0; axis < dim_; ++axis) text += std::string(",") + "xyz"[axis];
+    for (int axis = 0; axis < dim_; ++axis) text += ',' + axis_name(axis);
     for (const Field& field : line.fields) text += ',' + column_name(field);
     text += '\n';
     char number[40];

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -48,25 +49,27 @@ std::string progress_line(int step, double time, double dt, double start_time, d
   return line;
 }
 
-Progress::Progress(MPI_Comm comm, double start_time, double end_time, double interval)
-    : start_time_(start_time),
-      end_time_(end_time),
-      interval_(interval),
-      started_(Clock::now()),
-      shown_(started_),
-      rate_time_(start_time),
-      rate_clock_(started_),
-      time_(start_time) {
+LogTarget standard_output() {
+  const auto write = [](const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+  };
+  return {write, MPI_Wtime, on_terminal()};
+}
+
+Progress::Progress(MPI_Comm comm, LogTarget target, double interval)
+    : target_(std::move(target)), interval_(interval), shown_(-1) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   active_ = rank == 0;
-  terminal_ = active_ && on_terminal();
 }
 
 Progress::~Progress() { finish(); }
 
-double Progress::seconds_since(Clock::time_point start) const {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+void Progress::begin(double start_time, double end_time) {
+  start_time_ = mark_time_ = time_ = start_time;
+  end_time_ = end_time;
+  if (active_) mark_seconds_ = target_.seconds();
 }
 
 void Progress::update(int step, double time, double dt) {
@@ -75,42 +78,51 @@ void Progress::update(int step, double time, double dt) {
   time_ = time;
   dt_ = dt;
   pending_ = true;
-  const double wait = terminal_ ? terminal_interval : interval_;
-  if (!shown_once_ || seconds_since(shown_) >= wait) show();
+  const double wait = target_.terminal ? terminal_interval : interval_;
+  if (shown_ < 0 || target_.seconds() - shown_ >= wait) show();
 }
 
-/// Recent progress counts more than old: steps change in size and cost.
-void Progress::show() {
-  const double window = seconds_since(rate_clock_);
-  if (rate_ <= 0 || window >= rate_window) {
-    const double lately = window > 0 ? (time_ - rate_time_) / window : 0;
-    rate_ = rate_ > 0 ? 0.7 * rate_ + 0.3 * lately : lately;
-    if (window >= rate_window) {
-      rate_time_ = time_;
-      rate_clock_ = Clock::now();
-    }
+/// Simulated seconds a wall second. Recent progress counts more than old, since steps change in size and cost: what
+/// was before the present window of time counts less as the window grows.
+double Progress::rate() {
+  const double now = target_.seconds(), window = now - mark_seconds_;
+  const double lately = window > 0 ? (time_ - mark_time_) / window : 0;
+  const double weight = rate_ > 0 ? 0.3 * std::min(1.0, window / rate_window) : 1;
+  const double blended = (1 - weight) * rate_ + weight * lately;
+  if (window >= rate_window) {
+    rate_ = blended;
+    mark_time_ = time_;
+    mark_seconds_ = now;
   }
-  const std::string line = progress_line(step_, time_, dt_, start_time_, end_time_, rate_);
-  std::printf(terminal_ ? "\r%s\033[K" : "%s\n", line.c_str());
-  std::fflush(stdout);
-  line_open_ = terminal_;
-  shown_once_ = true;
-  pending_ = false;
-  shown_ = Clock::now();
+  return blended;
 }
 
-void Progress::remark(const std::string& line) {
+void Progress::show() {
+  const std::string line = progress_line(step_, time_, dt_, start_time_, end_time_, rate());
+  target_.write(target_.terminal ? '\r' + line + "\033[K" : line + '\n');
+  line_open_ = target_.terminal;
+  pending_ = false;
+  shown_ = target_.seconds();
+}
+
+void Progress::remark(const char* format, ...) {
   if (!active_) return;
-  std::printf("%s%s\n", line_open_ ? "\r\033[K" : "", line.c_str());
-  std::fflush(stdout);
-  line_open_ = false;
+  std::va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  std::string line(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)) + 1, '\0');
+  std::vsnprintf(line.data(), line.size(), format, again);
+  va_end(again);
+  va_end(arguments);
+  line.back() = '\n';
+  target_.write((line_open_ ? "\r\033[K" : "") + line);
+  if (line_open_) show();
 }
 
 void Progress::finish() {
   if (!active_) return;
   if (pending_) show();
-  if (line_open_) std::printf("\n");
-  std::fflush(stdout);
+  if (line_open_) target_.write("\n");
   line_open_ = false;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scree/balances/layout.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/grid/ghosted.hpp"
 
 namespace scree {
 

@@ -19,7 +19,8 @@ for (friction, temperature), count in UNKNOWNS.items():
     checks.equal(f"{name}: unknowns a cell", run.summary["unknowns_per_cell"], count)
     fields = run.fields
     checks.equal(f"{name}: chi is there", "frictional_pressure_ratio" in fields, friction == "relaxed")
-    checks.equal(f"{name}: T is there", "granular_temperature" in fields, temperature == "transport")
+    checks.equal(f"{name}: T is there", "granular_temperature" in fields, temperature != "constant")
+    checks.equal(f"{name}: p_f is there", "frictional_pressure" in fields, friction != "none")
     checks.true(f"{name}: all finite", all(np.isfinite(values).all() for values in fields.values()))
     checks.below(f"{name}: mass error", np.abs(run.monitor["mass_error"]).max(), 1e-12)
     speed = np.abs(fields["velocity_y_face"]).max()

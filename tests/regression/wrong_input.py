@@ -52,6 +52,10 @@ def complain(what, case, options, words, directory=None, may_exist=False):
 
 for what, (options, words) in OPTIONS.items():
     complain(what, CASE, options, words)
+for kind, place in (("probe", {"probe_a_point": "1 cm, 2 cm"}), ("line", {"line_a_from": "0, 0", "line_a_to": "0, 9 cm"})):
+    for check in ({}, {"check": None}):
+        complain(f"{kind} of a field that is not there{' under -check' if check else ''}", CASE,
+                 {**place, f"{kind}_a_fields": "gas_pressure", **check}, [f"{kind} a", "gas_pressure", "solids_fraction"])
 
 bad = program.work / "bad.yaml"
 bad.write_text("grid: {x_edges: [0, 1\n  - nonsense: : :\n")

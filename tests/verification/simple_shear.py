@@ -1,5 +1,6 @@
 """T2, steady simple shear: granular temperature without and with friction; velocity linear, solids fraction uniform."""
 import numpy as np
+from closures import critical_pressure
 from scree_program import EXACT, Checks, Program
 
 GDOT, D = 10.0, 1e-3
@@ -22,4 +23,15 @@ for nu, ratio in RATIO.items():
     deviation = last["velocity_x_face"] - (GDOT * y - 0.1)[:, None]
     checks.below(f"nu {nu}: velocity against the linear profile [m/s]", np.abs(deviation).max(), 1e-8)
     checks.close(f"nu {nu}: chi", last["frictional_pressure_ratio"].mean(), 1.0, absolute=1e-9)
+    checks.close(f"nu {nu}: frictional pressure [Pa]", last["frictional_pressure"].mean(), critical_pressure(nu), relative=1e-6)
+
+# T that is no unknown is written too.
+nu = 0.3
+run = program.run("simple_shear.yaml", "algebraic", {
+    **EXACT, "granular_temperature": "algebraic", "initial_everywhere_solids_fraction": nu,
+    "initial_everywhere_frictional_pressure_ratio": 0.9, "end_time": 1})
+expected, T = RATIO[nu] * (D * GDOT) ** 2, run.fields["granular_temperature"]
+checks.close("algebraic: mean T [m2/s2]", T.mean(), expected, relative=1e-5)
+checks.below("algebraic: spread of T, relative", np.ptp(T) / expected, 1e-8)
+checks.close("algebraic: greatest T in monitor.csv", run.monitor["granular_temperature_max"][-1], T.max(), relative=1e-9)
 checks.verdict()

@@ -1,9 +1,11 @@
 /// What monitor.csv says of a state: masses, rates, extremes, bed height.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "scree/config/case.hpp"
+#include "scree/output/field_writer.hpp"
 #include "scree/output/monitor.hpp"
 #include "scree/solver/discrete_problem.hpp"
 
@@ -14,8 +16,8 @@ class Measures {
  public:
   Measures(const Case& scene, const DiscreteProblem& problem);
 
-  const std::vector<Column>& columns() const { return columns_; }
-  std::vector<double> values(Vec state) const;  ///< collective; one a column
+  /// Collective. Without a state (nullptr): the columns alone, all values 0.
+  std::vector<Quantity> quantities(Vec state) const;
 
   /// Factor from solids volume [m^dim] to mass [kg].
   double mass_per_volume() const { return mass_per_volume_; }
@@ -24,7 +26,18 @@ class Measures {
   struct Range {
     double least, greatest;
   };
+  /// What moves, by cell: v^2 is the sum over the axes of the mean of its squares on the two faces.
+  struct Motion {
+    double kinetic = 0;      ///< sum of nu v^2/2 [m^dim m2/s2]
+    double fluctuation = 0;  ///< sum of 3/2 nu T [m^dim m2/s2]
+    double speed = 0;        ///< sqrt of the greatest nu v^2/nu_max [m/s]
+    double temperature = 0;  ///< greatest nu T/nu_max [m2/s2]
+  };
+  bool has_temperature() const;  ///< as an unknown or as a derived field
+  Motion motion(Vec state, const std::vector<CellField>& derived) const;
+  Range range(const std::function<double(const Index&)>& value) const;  ///< over the cells of the box
   Range range(Vec state, const Field& field) const;
+  Range range(const CellField& field) const;
   double greatest_speed(Vec state, const Unknown& velocity) const;
   double bed_height(Vec state) const;
 
@@ -32,7 +45,8 @@ class Measures {
   const DiscreteProblem& problem_;
   double mass_per_volume_;
   bool with_gas_, has_gas_velocity_;
-  std::vector<Column> columns_;
+  int T_ = -1;                  ///< component of T where it is an unknown
+  std::vector<Field> derived_;  ///< of the cells
 };
 
 }  // namespace scree

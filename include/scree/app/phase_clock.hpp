@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// Seconds since the clock was made, summed over the ranks.
+/// Seconds summed over the ranks: since the start of the program, phases since start_phases().
 struct PhaseSeconds {
   double cpu = 0;       ///< user and system
   double residual = 0;  ///< evaluations of the residual
@@ -20,6 +20,9 @@ class PhaseClock {
  public:
   /// Collective. Starts PETSc's logging.
   explicit PhaseClock(MPI_Comm comm);
+  /// The phases count from here: what comes before, such as a first projection of the gas, is not part of Newton's
+  /// method, whose share is a difference.
+  void start_phases() { start_ = now(); }
   PhaseSeconds read() const;            ///< collective
   double wall() const;                  ///< seconds since construction
   double peak_memory_per_rank() const;  ///< collective; greatest resident set of a rank so far [byte]

@@ -8,6 +8,9 @@ namespace scree {
 
 /// Grid, conditions, parameters and scales of a scene. Unless the case gives scale_velocity, velocities are scaled by
 /// sqrt(g d) and times by sqrt(d/g).
-ProblemSetup problem_setup(const Case& scene);
+ProblemSetup problem_setup(const Case& scene, const ModelFactory& models);
+
+/// Throws std::runtime_error if a probe or a line asks for a field that the scene has not.
+void check_sampling(const Case& scene, const ModelFactory& models);
 
 }  // namespace scree

@@ -6,11 +6,14 @@
 
 #include "scree/app/measures.hpp"
 #include "scree/app/phase_clock.hpp"
+#include "scree/output/checkpoint.hpp"
 #include "scree/output/field_writer.hpp"
+#include "scree/output/output_times.hpp"
 #include "scree/output/probes.hpp"
 #include "scree/output/progress.hpp"
 #include "scree/output/stop_request.hpp"
 #include "scree/output/summary.hpp"
+#include "scree/output/time_average.hpp"
 #include "scree/solver/preset_trial.hpp"
 #include "scree/solver/time_stepper.hpp"
 
@@ -19,8 +22,8 @@ namespace scree {
 class Simulation {
  public:
   /// Collective. Sets everything up and writes the initial output. Throws InputError or std::runtime_error of one line,
-  /// on all ranks, before anything of an earlier run is touched.
-  Simulation(MPI_Comm comm, const Case& scene);
+  /// on all ranks, before anything of an earlier run is touched. What there is to say goes to `log`.
+  Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& models, Progress& log);
 
   /// Collective. Runs to end_time, to a signal or to the end of the wall-clock budget; leaves a checkpoint and
   /// summary.json in any of these. Throws std::runtime_error if no step works any more, after a last checkpoint.
@@ -34,28 +37,49 @@ class Simulation {
     double gas_imbalance = 0;   ///< of gas volume [m^dim]
     double initial_volume = 0;  ///< [m^dim]
     double dt_max = 0;          ///< [s]
+
+    template <class Visit>
+    void each_member(Visit&& visit) {
+      visit("steps", steps);
+      visit("newton", newton);
+      visit("krylov", krylov);
+      visit("rejected_error", rejected_error);
+      visit("rejected_solver", rejected_solver);
+      visit("limited", limited);
+      visit("imbalance", imbalance);
+      visit("gas_imbalance", gas_imbalance);
+      visit("initial_volume", initial_volume);
+      visit("dt_max", dt_max);
+    }
   };
 
   static StepControl step_control(const Case& scene);
   void start_new();
   void restart();
   void open_outputs(std::optional<double> restart_time);
-  double next_event() const;
+  double next_window() const;
+  double next_limit() const;
+  void step(StepReport* report);
+  void enter_window();
+  void print_solver(int fill) const;
   void apply_solver_preset(SolverPreset preset, int fill = 0);
   void apply_trial();  ///< the preset and level of fill that the trial has come to
   void reconsider_preset(const StepReport& report);
+  bool monitor_due() const;
   void account(const StepReport& report);
   void make_gas_consistent();
   double mass_error() const;
   double gas_volume_error() const;
+  void restore_average(const Checkpoint& saved);
   void append_monitor(const StepReport& report);
   void write_fields();
   void write_checkpoint();
   void write_summary(const std::string& end);
-  std::vector<Column> monitor_columns() const;
+  std::vector<Quantity> monitor_row(const StepReport* report) const;
 
   MPI_Comm comm_;
   Case scene_;
+  Progress& log_;
   DiscreteProblem problem_;
   PhaseClock clock_;
   std::unique_ptr<TimeStepper> stepper_;
@@ -64,12 +88,13 @@ class Simulation {
   std::unique_ptr<LineSampler> lines_;
   std::unique_ptr<MonitorFile> monitor_;
   std::unique_ptr<FieldWriter> fields_;
+  std::unique_ptr<TimeAverage> average_;  ///< if asked for
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
   std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
   SolverPreset first_preset_;
   PresetTrial trial_;
-  double next_fields_ = 0, next_checkpoint_ = 0;
+  OutputTimes field_times_, checkpoint_times_;
 };
 
 }  // namespace scree

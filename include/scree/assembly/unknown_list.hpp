@@ -2,7 +2,6 @@
 /// it is not stored, not differentiated, not solved for.
 #pragma once
 
-#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -10,6 +9,16 @@
 #include "scree/grid/unknown.hpp"
 
 namespace scree {
+
+/// The components of unknowns with names, units and scales.
+inline std::vector<Field> fields_of(const std::vector<const Unknown*>& unknowns, int dim, const Scales& scales) {
+  std::vector<Field> list;
+  for (const Unknown* u : unknowns)
+    for (int axis = 0; axis < (u->place == Place::face ? dim : 1); ++axis)
+      list.push_back({u->dataset, u->symbol, u->unit, u->text, static_cast<int>(list.size()),
+                      u->place == Place::face ? axis : -1, u->scale(scales), u});
+  return list;
+}
 
 /// `Balances` each have a member `unknown`; they stand in a node in this order, vectors axis by axis.
 template <int Dim, class... Balances>
@@ -48,15 +57,7 @@ struct UnknownList {
     (work(Balances{}), ...);
   }
 
-  /// The components with names, units and scales.
-  static std::vector<Field> fields(const Scales& scales) {
-    std::vector<Field> list;
-    for (const Unknown* u : std::array<const Unknown*, sizeof...(Balances)>{&Balances::unknown...})
-      for (int axis = 0; axis < extent(*u); ++axis)
-        list.push_back({u->dataset, u->symbol, u->unit, u->text, static_cast<int>(list.size()),
-                        u->place == Place::face ? axis : -1, u->scale(scales), u});
-    return list;
-  }
+  static std::vector<Field> fields(const Scales& scales) { return fields_of({&Balances::unknown...}, dim, scales); }
 };
 
 }  // namespace scree

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "scree/closures/wall.hpp"
 #include "scree/config/catalogue.hpp"
 #include "scree/grid/box.hpp"
+#include "scree/grid/sampling.hpp"
 #include "scree/grid/unknown.hpp"
 
 namespace scree {
@@ -52,20 +54,6 @@ struct InitialRegion {
   }
 };
 
-/// A named point at which monitor.csv reports fields.
-struct Probe {
-  std::string name;
-  std::array<double, max_dim> point{};
-  std::vector<std::string> fields;  ///< dataset names; empty: all
-};
-
-/// A named sampled line, written at the field output times.
-struct Line {
-  std::string name;
-  std::array<double, max_dim> from{}, to{};
-  std::vector<std::string> fields;
-};
-
 /// A named plane of grid faces through which monitor.csv reports the solids mass flow rate [kg/s].
 struct FluxPlane {
   std::string name;
@@ -87,10 +75,11 @@ struct TimeParameters {
 
 struct OutputParameters {
   std::string directory = "out";
-  double field_interval = 0;         ///< [s]; 0: only initial and final fields
-  double checkpoint_interval = 0;    ///< simulated [s]; 0: only at the end
-  double wall_clock_budget = 0;      ///< [s]; 0: none
-  int monitor_every = 1;             ///< steps between rows of monitor.csv
+  double field_interval = 0;                                      ///< [s]; 0: only initial and final fields
+  double average_from = std::numeric_limits<double>::infinity();  ///< start of time averages [s]; infinite: none
+  double checkpoint_interval = 0;                                 ///< simulated [s]; 0: only at the end
+  double wall_clock_budget = 0;                                   ///< [s]; 0: none
+  int monitor_every = 1;                                          ///< steps between rows of monitor.csv
   double depth = 0.01;               ///< plane flow: thickness of the slab that masses and rates refer to [m]
   double mirror = 1;                 ///< factor on masses and rates, 2 for half a domain
   double bed_solids_fraction = 0.3;  ///< nu that marks the bed surface in bed_height

@@ -9,6 +9,7 @@
 
 #include "scree/config/case.hpp"
 #include "scree/config/option_set.hpp"
+#include "scree/grid/axis_name.hpp"
 
 namespace scree {
 
@@ -46,8 +47,6 @@ std::vector<Item> in_order(std::vector<Ordered<Item>> list) {
   for (auto& entry : list) items.push_back(std::move(entry.item));
   return items;
 }
-
-constexpr const char* axis_names[max_dim] = {"x", "y", "z"};
 
 /// Axes by letter, as many as the case has.
 OptionSet::Choices<int> axis_choices(const OptionSet& o, int dim);

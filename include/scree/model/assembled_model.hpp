@@ -16,6 +16,7 @@
 #include "scree/kernels/momentum_fluxes.hpp"
 #include "scree/kernels/scalar_fluxes.hpp"
 #include "scree/kernels/wall_laws.hpp"
+#include "scree/model/derived_fields.hpp"
 #include "scree/model/model.hpp"
 
 namespace scree {
@@ -120,6 +121,23 @@ class AssembledModel final : public Model {
         T = raised_temperature(q(L::nu), T * scale, strain.div_v, strain.S_S, dt, setup_.solids) / scale;
       });
     }
+  }
+
+  std::vector<std::vector<double>> derived_values(const double* state) const override {
+    const Lattice& grid = setup_.lattice;
+    const auto wanted = derived_entries(setup_.model, setup_.solids);
+    std::vector<std::vector<double>> result(wanted.size(),
+                                            std::vector<double>(static_cast<std::size_t>(grid.owned_size()), 0.0));
+    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+      if (!grid.inside(I)) return;
+      Local<CellBalances<L>, double> q;
+      assembly_.gather(state, I, q);
+      const auto [T, p_f] = cell_closures<L, CellClosure::temperature, CellClosure::frictional_pressure>(
+          assembly_.scene, I, q, cell_strain<L>(assembly_.scene, I, q));
+      for (std::size_t k = 0; k < wanted.size(); ++k)
+        result[k][static_cast<std::size_t>(grid.owned(I))] = wanted[k] == CellClosure::temperature ? T : p_f;
+    });
+    return result;
   }
 
   double solids_flux(const double* state, int axis, const Index& I) const override {

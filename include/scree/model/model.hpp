@@ -48,6 +48,9 @@ class Model {
   /// First guess of a step of dt: raises T of `owned` where it is far below what a step from `state` would give. From
   /// there Newton's method would find T < 0, which production ~ sqrt(T) makes a second way to a small residual.
   virtual void raise_temperature(const double* state, double dt, double* owned) const = 0;
+  /// Values of derived_fields at the owned nodes in SI, one array a field in the order of Lattice::owned, 0 outside of
+  /// the box.
+  virtual std::vector<std::vector<double>> derived_values(const double* state) const = 0;
   /// Component of an unknown in a node, of a vector along `axis`; -1 where the scene has no such unknown.
   template <class Balance>
   int component(int axis = 0) const {
@@ -77,6 +80,9 @@ struct ModelFactory {
 
   /// The number of unknowns a node and the stencil width of the model for these parameters.
   std::pair<int, int> extent(int dim, const ModelParameters& model, const SolidsParameters& solids) const;
+  /// The unknowns that its models have, as Model::fields gives them.
+  std::vector<Field> fields(int dim, const ModelParameters& model, const SolidsParameters& solids,
+                            const Scales& scales) const;
 };
 
 /// The paper's balances in one to three dimensions.

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,11 +44,33 @@ class Checkpoint {
   bool has(const std::string& name) const { return vectors.count(name) > 0; }
   Vec vector(const std::string& name) const;     ///< borrowed; throws std::runtime_error if the file has none
   double scalar(const std::string& name) const;  ///< throws std::runtime_error if the file has none
-  /// `otherwise` if the file, of an earlier version, has none.
-  double scalar(const std::string& name, double otherwise) const {
-    return scalars.count(name) > 0 ? scalars.at(name) : otherwise;
-  }
 };
+
+/// Adds the members of `owner` to `scalars`, as prefix + name. `owner` lists its members once, for writing and reading:
+///     template <class Visit> void each_member(Visit&& visit) { visit("steps", steps); visit("guess", guess); }
+/// They may be numbers, bool or enums.
+template <class Owner>
+void store_members(Owner&& owner, const std::string& prefix, NamedScalars& scalars) {
+  owner.each_member([&](const char* name, const auto& member) {
+    if (!scalars.emplace(prefix + name, static_cast<double>(member)).second)
+      throw std::logic_error("two members of a checkpoint are called " + prefix + name);
+  });
+}
+
+/// Sets the members of `owner` from what store_members left under `prefix`. A member that the file lacks keeps its
+/// value: the version that wrote it did not know it.
+template <class Owner>
+void restore_members(const Checkpoint& checkpoint, const std::string& prefix, Owner& owner) {
+  owner.each_member([&](const char* name, auto& member) {
+    using Member = std::decay_t<decltype(member)>;
+    const auto found = checkpoint.scalars.find(prefix + name);
+    if (found == checkpoint.scalars.end()) return;
+    if constexpr (std::is_enum_v<Member>)
+      member = static_cast<Member>(static_cast<int>(found->second));
+    else
+      member = static_cast<Member>(found->second);
+  });
+}
 
 /// Collective. Reads the newest sound checkpoint of `source`: an output directory, its checkpoints/, or one file.
 /// If the newest is damaged, the one before is taken, with a remark. Throws std::runtime_error, the same on all ranks,

@@ -12,6 +12,12 @@
 
 namespace scree {
 
+/// A cell-centred field that is no unknown: its values at the nodes of this rank, in the order of Lattice::owned, SI.
+struct CellField {
+  Field field;
+  std::vector<double> values;
+};
+
 /// Writes the fields of a state in SI, and the collection that lists the files.
 ///
 /// Each file holds x_faces, y_faces, z_faces [m]; cell-centred fields as (nz, ny, nx), in 2-D (ny, nx), in 1-D (nx);
@@ -28,7 +34,9 @@ class FieldWriter {
 
   /// Collective. Writes fields/<index>.h5 and renews fields.xdmf; returns the index. A second call for the same time
   /// replaces the first. Throws std::runtime_error on all ranks (disk full ...); earlier files are untouched then.
-  int write(double time, Vec state);
+  /// `derived` are written beside the unknowns, as cell-centred fields; `mean`, a state too, as mean_solids_fraction,
+  /// mean_velocity, mean_velocity_x_face and so on.
+  int write(double time, Vec state, const std::vector<CellField>& derived = {}, Vec mean = nullptr);
 
   int next_index() const;                   ///< the index that write() takes at a new time
   std::optional<double> last_time() const;  ///< time of the last entry [s]
@@ -42,7 +50,7 @@ class FieldWriter {
   };
   std::vector<Entry> read_collection() const;
   void write_collection() const;
-  std::string entry_xml(int index, double time) const;
+  std::string entry_xml(int index, double time, const std::vector<Field>& fields) const;
 
   std::string directory_;
   Box box_;

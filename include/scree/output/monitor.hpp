@@ -11,9 +11,15 @@
 
 namespace scree {
 
-/// A column of monitor.csv; the header holds the name alone, the unit (SI) is for summaries and readers of the code.
+/// A column of monitor.csv. The header holds the name alone; summary.json has unit (SI) and text.
 struct Column {
-  std::string name, unit;
+  std::string name, unit, text;
+};
+
+/// A column with its value in a row.
+struct Quantity {
+  Column column;
+  double value = 0;
 };
 
 /// Appends rows, each flushed before append() returns. The first column is the time.

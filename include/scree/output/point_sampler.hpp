@@ -6,12 +6,10 @@
 #include <array>
 #include <vector>
 
-#include "scree/grid/box.hpp"
+#include "scree/grid/sampling.hpp"
 #include "scree/grid/unknown.hpp"
 
 namespace scree {
-
-using Point = std::array<double, max_dim>;
 
 /// A point and a field to be taken there.
 struct Sample {

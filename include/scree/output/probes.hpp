@@ -9,22 +9,6 @@
 
 namespace scree {
 
-/// A named point. `fields` are names of datasets ("velocity": all its components) or of one component ("velocity_x");
-/// empty: all.
-struct ProbePoint {
-  std::string name;
-  Point point{};
-  std::vector<std::string> fields;
-};
-
-/// A named segment. `points` > 0: that many, ends included; 0: at the cell centres along the axis it crosses most of.
-struct SampledLine {
-  std::string name;
-  Point from{}, to{};
-  std::vector<std::string> fields;
-  int points = 0;
-};
-
 /// Fields meant by a list of names; throws std::runtime_error naming `owner` and the known names for an unknown one.
 std::vector<Field> select_fields(const std::vector<Field>& fields, const std::vector<std::string>& names,
                                  const std::string& owner);
@@ -33,7 +17,7 @@ std::vector<Field> select_fields(const std::vector<Field>& fields, const std::ve
 class ProbeSet {
  public:
   /// Throws std::runtime_error for an unknown field or a point outside the box.
-  ProbeSet(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<ProbePoint>& probes);
+  ProbeSet(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<Probe>& probes);
 
   const std::vector<Column>& columns() const { return columns_; }  ///< "<probe>_<field>", e.g. "wall_velocity_y"
   std::vector<double> values(Vec state) const { return sampler_.values(state); }  ///< collective; SI, one a column
@@ -47,13 +31,13 @@ class ProbeSet {
 class LineSampler {
  public:
   /// Throws std::runtime_error for an unknown field or an end outside the box.
-  LineSampler(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<SampledLine>& lines);
+  LineSampler(const Box& box, DM dm, const std::vector<Field>& fields, const std::vector<Line>& lines);
 
   /// Collective. `index` is that of the fields written at the same time. Throws std::runtime_error on all ranks.
   void write(const std::string& directory, int index, double time, Vec state) const;
 
  private:
-  struct Line {
+  struct SampledLine {
     std::string name;
     std::vector<Point> points;
     std::vector<Field> fields;
@@ -61,7 +45,7 @@ class LineSampler {
   };
   MPI_Comm comm_;
   int dim_;
-  std::vector<Line> lines_;
+  std::vector<SampledLine> lines_;
 };
 
 }  // namespace scree

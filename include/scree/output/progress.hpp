@@ -1,42 +1,55 @@
-/// The progress line: one that renews itself on a terminal, plain lines at intervals otherwise.
+/// The log of a run on standard output: remarks, and a progress line that renews itself on a terminal, plain lines at
+/// intervals otherwise.
 #pragma once
 
 #include <petscsys.h>
 
-#include <chrono>
+#include <functional>
 #include <string>
 
 namespace scree {
 
-/// Tells on standard output (rank 0) how far a run is. Not collective: other ranks do nothing.
+/// Where the log goes.
+struct LogTarget {
+  std::function<void(const std::string&)> write;  ///< as it is, without a line end of its own
+  std::function<double()> seconds;                ///< on the wall
+  bool terminal = false;                          ///< a line can be written over
+};
+
+/// Standard output.
+LogTarget standard_output();
+
+/// Tells on rank 0 what a run does and how far it is. Not collective: other ranks do nothing.
 class Progress {
  public:
-  /// From `start_time` to `end_time` [s]; plain lines at most every `interval` wall seconds.
-  Progress(MPI_Comm comm, double start_time, double end_time, double interval = 10);
+  /// Plain progress lines come at most every `interval` wall seconds.
+  explicit Progress(MPI_Comm comm, LogTarget target = standard_output(), double interval = 10);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// A line for the log, as printf, that does not tear the progress line. Its end is added.
+  void remark(const char* format, ...) __attribute__((format(printf, 2, 3)));
+  /// The run goes from `start_time` to `end_time` [s]; its clock starts.
+  void begin(double start_time, double end_time);
   /// After each step: number of the step, the time reached and the step just made [s].
   void update(int step, double time, double dt);
-  /// A line for the log that does not tear the progress line.
-  void remark(const std::string& line);
   /// Ends the progress line, with the last state in it.
   void finish();
 
  private:
-  using Clock = std::chrono::steady_clock;
   void show();
-  double seconds_since(Clock::time_point start) const;
+  double rate();
 
-  bool active_, terminal_;
-  double start_time_, end_time_, interval_;
-  Clock::time_point started_, shown_;
-  bool shown_once_ = false, pending_ = false, line_open_ = false;
-  double rate_ = 0, rate_time_;  ///< simulated seconds a wall second, lately; time at the last estimate
-  Clock::time_point rate_clock_;
+  LogTarget target_;
+  bool active_;
+  double interval_;
+  double start_time_ = 0, end_time_ = 0;
   int step_ = 0;
-  double time_, dt_ = 0;
+  double time_ = 0, dt_ = 0;
+  bool pending_ = false, line_open_ = false;
+  double shown_;                                        ///< when the last line was [wall s]; negative: none yet
+  double mark_time_ = 0, mark_seconds_ = 0, rate_ = 0;  ///< where the present window of the rate began; rate before it
 };
 
 /// "time 0.25 s  dt 1.2e-04 s  step 123  25.0 %  rate 0.012 s/s  left 0:01:02". Rate <= 0: no time left is given.

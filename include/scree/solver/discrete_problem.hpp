@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "scree/grid/ghosted.hpp"
 #include "scree/model/model.hpp"
 #include "scree/solver/gas_projection.hpp"
 
@@ -108,19 +109,6 @@ class DiscreteProblem {
   mutable Vec last_rate_ = nullptr;    ///< dU/dt of the last residual that TS asked for; not owned
   bool keeps_jacobian_ = false;
   double last_shift_ = 0;  ///< of the last Jacobian
-};
-
-/// Read access to the ghosted values of a global vector, for as long as it lives.
-class GhostedArray {
- public:
-  PetscErrorCode open(DM dm, Vec global);
-  PetscErrorCode close();
-  const double* data() const { return data_; }
-
- private:
-  DM dm_ = nullptr;
-  Vec local_ = nullptr;
-  const double* data_ = nullptr;
 };
 
 }  // namespace scree

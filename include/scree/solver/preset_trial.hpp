@@ -51,6 +51,19 @@ class PresetTrial {
     int since_failure = seldom;    ///< steps since one of which an attempt failed, `seldom` at most
     double with_first = 0;         ///< iterations a linear system when the first preset was left
     double with_multigrid = 0;     ///< ... and when multigrid was
+
+    template <class Visit>
+    void each_member(Visit&& visit) {
+      visit("multigrid", multigrid);
+      visit("fill", fill);
+      visit("newton", newton);
+      visit("krylov", krylov);
+      visit("returns", returns);
+      visit("windows", windows);
+      visit("since_failure", since_failure);
+      visit("with_first", with_first);
+      visit("with_multigrid", with_multigrid);
+    }
   };
 
   explicit PresetTrial(Rule rule) : rule_(rule) {}

@@ -45,6 +45,17 @@ struct StepHistory {
   int easy_steps = 0;
   NewtonTolerance newton;
   FirstGuess guess = FirstGuess::better;
+
+  template <class Visit>
+  void each_member(Visit&& visit) {
+    visit("dt_next", dt_next);
+    visit("dt_past_0", dt_past[0]);
+    visit("dt_past_1", dt_past[1]);
+    visit("easy_steps", easy_steps);
+    visit("calm_steps", newton.calm);
+    visit("calm_wait", newton.wait);
+    visit("guess", guess);
+  }
 };
 
 /// Owns TS, the state and the states before it.

@@ -17,7 +17,7 @@ using test::Scene;
 using test::Scratch;
 
 /// Bits that a detour over text or float would lose.
-double awkward(const std::array<int, max_dim>& node, int component) {
+double awkward(const Index& node, int component) {
   if (node[0] == 1 && component == 0) return std::numeric_limits<double>::denorm_min();
   if (node[0] == 2 && component == 0) return -0.0;
   return std::sin(Scene::code(node, component)) * 1e-7;
@@ -93,7 +93,8 @@ TEST(Checkpoint, OtherNumberOfRanks) {
     const PetscScalar* values = nullptr;
     check_petsc(VecGetArrayRead(checkpoint.vector("state"), &values), "values");
     size_t place = 0;
-    for_each_node(node_layout(scene.box, alone).owned, [&](const auto& node) {
+    const NodeBlock all = owned_block(checked_lattice(scene.box, alone));
+    for_each_node(all.first, all.count, [&](const Index& node) {
       for (int component = 0; component < 3; ++component) EXPECT_EQ(values[place++], Scene::code(node, component));
     });
     check_petsc(VecRestoreArrayRead(checkpoint.vector("state"), &values), "values");
@@ -174,6 +175,47 @@ TEST(Checkpoint, DamageIsNeverBelieved) {
       EXPECT_NE(std::string(error.what()).find("cannot be used"), std::string::npos) << error.what();
     }
   }
+}
+
+enum class Mood { calm, wild };
+struct Owner {
+  int steps = 0;
+  double length = 0;
+  bool fresh = false;
+  Mood mood = Mood::calm;
+  template <class Visit>
+  void each_member(Visit&& visit) {
+    visit("steps", steps);
+    visit("length", length);
+    visit("fresh", fresh);
+    visit("mood", mood);
+  }
+};
+
+TEST(CheckpointMembers, ComeBackByName) {
+  const Scratch scratch;
+  const Scene scene(1);
+  NamedScalars scalars;
+  store_members(Owner{7, 0.1, true, Mood::wild}, "own_", scalars);
+  EXPECT_EQ(scalars.size(), 4u);
+  EXPECT_THROW(store_members(Owner(), "own_", scalars), std::logic_error) << "names used twice";
+  write_checkpoint(scratch.path(), 1, scene.box, scene.dm, scene.fields, {{"state", scene.state}}, scalars, {});
+  Owner owner;
+  restore_members(read(scratch, scene), "own_", owner);
+  EXPECT_EQ(owner.steps, 7);
+  EXPECT_EQ(owner.length, 0.1);
+  EXPECT_TRUE(owner.fresh);
+  EXPECT_EQ(owner.mood, Mood::wild);
+}
+
+TEST(CheckpointMembers, OfANewerVersionKeepTheirValues) {
+  const Scratch scratch;
+  const Scene scene(1);
+  write_step(scratch, scene, 1);
+  Owner owner{7, 0.1, true, Mood::wild};
+  restore_members(read(scratch, scene), "own_", owner);
+  EXPECT_EQ(owner.steps, 7);
+  EXPECT_EQ(owner.mood, Mood::wild);
 }
 
 TEST(Checkpoint, NanIsRefused) {

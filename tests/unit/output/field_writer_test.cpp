@@ -3,6 +3,8 @@
 #include <hdf5.h>
 
 #include "sample_state.hpp"
+#include "scree/grid/axis_name.hpp"
+#include "scree/output/time_average.hpp"
 
 namespace scree {
 namespace {
@@ -30,15 +32,13 @@ struct Dataset {
 
 void expect_raw(const std::string& path, const std::string& name, const Scene& scene, const Field& field) {
   const Dataset data(path, name);
-  std::array<int, max_dim> shape{1, 1, 1};
+  Index shape{{1, 1, 1}};
   for (int axis = 0; axis < scene.box.dim; ++axis) {
     shape[axis] = scene.box.cells(axis) + (axis == field.face_axis ? 1 : 0);
     EXPECT_EQ(data.shape[scene.box.dim - 1 - axis], hsize_t(shape[axis])) << name;
   }
-  NodeBlock all;
-  all.count = shape;
   size_t place = 0;
-  for_each_node(all, [&](auto node) {
+  for_each_node({}, shape, [&](Index node) {
     for (int axis = 0; axis < scene.box.dim; ++axis) {
       if (scene.box.periodic[axis]) node[axis] %= scene.box.cells(axis);
     }
@@ -51,7 +51,7 @@ void expect_file(const std::string& path, const Scene& scene) {
   EXPECT_EQ(Dataset(path, "x_faces").values, scene.box.faces[0]);
   expect_raw(path, "solids_fraction", scene, scene.fields[0]);
   for (int axis = 0; axis < dim; ++axis) {
-    expect_raw(path, std::string("velocity_") + "xyz"[axis] + "_face", scene, scene.fields[1 + axis]);
+    expect_raw(path, "velocity_" + axis_name(axis) + "_face", scene, scene.fields[1 + axis]);
   }
   const Dataset velocity(path, "velocity");
   ASSERT_EQ(velocity.shape.size(), size_t(dim + 1));
@@ -73,6 +73,54 @@ TEST(FieldWriter, ValuesOfAllDimensionsAndPeriodicAxes) {
       test::barrier();
     }
   }
+}
+
+TEST(FieldWriter, DerivedFieldsStandBesideTheUnknowns) {
+  for (int dim = 1; dim <= 3; ++dim) {
+    const Scratch scratch;
+    const Scene scene(dim, dim == 2);
+    CellField derived{{"frictional_pressure", "p_f", "Pa", "frictional pressure"}, {}};
+    const NodeBlock owned = owned_block(checked_lattice(scene.box, scene.dm));
+    for_each_node(owned.first, owned.count, [&](const Index& node) { derived.values.push_back(Scene::code(node, 3)); });
+    FieldWriter writer(scratch.path(), scene.box, scene.dm, scene.fields);
+    writer.write(0.25, scene.state, {derived});
+    if (test::this_rank() == 0) {
+      Field stored = scene.fields[0];
+      stored.component = 3;
+      stored.scale = 1;
+      expect_raw(scratch / "fields/000000.h5", "frictional_pressure", scene, stored);
+      const std::string xml = test::content(scratch / "fields.xdmf");
+      EXPECT_NE(xml.find("fields/000000.h5:/frictional_pressure"), std::string::npos);
+    }
+    test::barrier();
+  }
+}
+
+TEST(FieldWriter, MeansStandBesideTheFields) {
+  const Scratch scratch;
+  const Scene scene(2);
+  TimeAverage average(scene.dm, 1.0);
+  average.add(1.0, 0.5, scene.state);
+  EXPECT_TRUE(average.empty()) << "that step ended where the averages begin";
+  Vec other = nullptr;
+  check_petsc(VecDuplicate(scene.state, &other), "copy");
+  scene.fill(other, [](const Index& node, int component) { return 5 * Scene::code(node, component); });
+  average.add(1.25, 0.5, scene.state);  // half of it counts
+  average.add(2.0, 0.75, other);
+  FieldWriter writer(scratch.path(), scene.box, scene.dm, scene.fields);
+  writer.write(2.0, other, {}, average.mean());
+  if (test::this_rank() == 0) {
+    const std::string path = scratch / "fields/000000.h5";
+    for (const std::string name : {"solids_fraction", "velocity", "velocity_x_face"}) {
+      const Dataset mean(path, "mean_" + name), last(path, name);
+      ASSERT_EQ(mean.shape, last.shape) << name;
+      for (size_t k = 0; k < mean.values.size(); ++k)
+        EXPECT_NEAR(mean.values[k], 0.8 * last.values[k], 1e-13 * std::abs(last.values[k])) << name;
+    }
+    EXPECT_NE(test::content(scratch / "fields.xdmf").find("fields/000000.h5:/mean_velocity"), std::string::npos);
+  }
+  test::barrier();
+  check_petsc(VecDestroy(&other), "copy");
 }
 
 TEST(FieldWriter, RestartKeepsEarlierEntriesAndDropsLaterOnes) {

@@ -8,7 +8,7 @@ namespace {
 using test::content;
 using test::Scratch;
 
-const std::vector<Column> columns{{"time", "s"}, {"dt", "s"}, {"mass", "kg"}};
+const std::vector<Column> columns{{"time", "s", "reached"}, {"dt", "s", "of the step"}, {"mass", "kg", "of all"}};
 
 TEST(MonitorFile, OneHeaderAndARowAStep) {
   const Scratch scratch;

@@ -72,7 +72,7 @@ TEST(ProbeSet, PeriodicAxesWrap) {
 
 TEST(ProbeSet, UnknownFieldsAndPointsOutsideAreRefused) {
   const Scene scene(2);
-  const auto make = [&](const ProbePoint& probe) {
+  const auto make = [&](const Probe& probe) {
     return message_of([&] { ProbeSet(scene.box, scene.dm, scene.fields, {probe}); });
   };
   EXPECT_NE(make({"a", {0.1, 0.1, 0}, {"pressure"}}).find("probe a: no field 'pressure'"), std::string::npos);
@@ -83,8 +83,7 @@ TEST(LineSampler, OneRowACellOfTheMainAxis) {
   const Scratch scratch;
   const Scene scene(2);
   fill_linear(scene);
-  const LineSampler sampler(scene.box, scene.dm, scene.fields,
-                            {{"rise", {0.3, 0, 0}, {0.3, 0.75, 0}, {"velocity_y"}, 0}});
+  const LineSampler sampler(scene.box, scene.dm, scene.fields, {{"rise", {0.3, 0, 0}, {0.3, 0.75, 0}, {"velocity_y"}}});
   sampler.write(scratch.path(), 12, 0.5, scene.state);
   std::istringstream text(test::content(scratch / "lines/rise_000012.csv"));
   std::string line;

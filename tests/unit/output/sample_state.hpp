@@ -15,7 +15,7 @@
 #include "scree/grid/box.hpp"
 #include "scree/grid/unknown.hpp"
 #include "scree/output/errors.hpp"
-#include "scree/output/node_layout.hpp"
+#include "scree/output/node_block.hpp"
 
 namespace scree::test {
 
@@ -110,18 +110,19 @@ struct Scene {
   /// Sets all stored values to value(node, component).
   template <class Value>
   void fill(Vec vector, Value value) const {
-    const NodeLayout layout = node_layout(box, dm);
+    const Lattice grid = checked_lattice(box, dm);
+    const int unknowns = unknowns_of(dm);
     PetscScalar* stored = nullptr;
     check_petsc(VecGetArray(vector, &stored), "fill");
     PetscScalar* next = stored;
-    for_each_node(layout.owned, [&](const auto& node) {
-      for (int component = 0; component < layout.dof; ++component) *next++ = value(node, component);
+    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& node) {
+      for (int component = 0; component < unknowns; ++component) *next++ = value(node, component);
     });
     check_petsc(VecRestoreArray(vector, &stored), "fill");
   }
 
   /// A number that tells node and component.
-  static double code(const std::array<int, max_dim>& node, int component) {
+  static double code(const Index& node, int component) {
     return 1000 * component + 100 * node[2] + 10 * node[1] + node[0] + 0.1;
   }
 
