@@ -124,8 +124,8 @@ def draw_monitor(run, columns, axes=None):
         axes = axes or figure.subplots()
         for name in columns:
             axes.plot(table.time, table[name], label=name)
-        words = columns[0].replace("_", " ") if len(columns) == 1 else ""
-        axes.set(xlabel="time (s)", ylabel=f"{words} ({', '.join('–' if unit == '1' else unit for unit in sorted(units))})")
+        unit = ", ".join("–" if unit == "1" else unit for unit in sorted(units))
+        axes.set(xlabel="time (s)", ylabel=f"{columns[0].replace('_', ' ')} ({unit})" if len(columns) == 1 else unit)
         if len(columns) > 1:
             axes.legend()
     return figure

@@ -116,11 +116,39 @@ def end_group(process):
             pass
 
 
-def failure(log, code, begin=0):
-    """In one line why a run failed: the last line of the program in its log, from the byte `begin` on."""
-    with open(log, errors="replace") as stream:
-        stream.seek(begin)
-        lines = [line.strip() for line in stream.read().splitlines() if line.strip()]
+class KeptLog:
+    """The log of a run in its output directory: `log.part` while it runs, then `log`. A run that goes on from a
+    checkpoint there appends to it; one that the program refuses leaves the directory as it was."""
+
+    def __init__(self, directory, goes_on):
+        self.directory, self.goes_on = Path(directory), goes_on
+        self.directory.mkdir(parents=True, exist_ok=True)
+        self.part, self.log = self.directory / "log.part", self.directory / "log"
+        self.part.unlink(missing_ok=True)
+        self.case_before = self.case_written()
+
+    def case_written(self):
+        """When the effective case was written, with which a run begins."""
+        file = self.directory / "case.yaml"
+        return file.stat().st_mtime_ns if file.exists() else None
+
+    def settle(self):
+        """At the end of the run."""
+        if self.case_written() == self.case_before:
+            self.part.unlink()
+            if not any(self.directory.iterdir()):
+                self.directory.rmdir()
+        elif self.goes_on and self.log.exists():
+            with open(self.log, "ab") as log:
+                log.write(self.part.read_bytes())
+            self.part.unlink()
+        else:
+            self.part.replace(self.log)
+
+
+def failure(log, code):
+    """In one line why a run failed: the last line of the program in its log."""
+    lines = [line.strip() for line in Path(log).read_text(errors="replace").splitlines() if line.strip()]
     said = [line.removeprefix("scree: ") for line in lines if line.startswith("scree: ")]
     last = said or lines
     how = f"signal {-code}" if code < 0 else f"exit code {code}"
@@ -152,28 +180,21 @@ def run(case, ranks=2, program=None, **options):
     check_program(program)
     file = case_file.find(case)
     directory = Path(options.pop("output_dir", None) or new_directory(case))
-    directory.mkdir(parents=True, exist_ok=True)
-    log = directory / "log"
-    begin = log.stat().st_size if log.exists() else 0
-    process = start(command(program, file, {**options, "output_dir": directory}, ranks), log)
+    log = KeptLog(directory, "restart" in options)
+    process = start(command(program, file, {**options, "output_dir": directory}, ranks), log.part)
     try:
         process.wait()
     except BaseException:
         stop(process)
+        log.settle()
         raise
-    if process.returncode:
-        reason = failure(log, process.returncode, begin)
-        remove_if_only_log(directory)
+    reason = failure(log.part, process.returncode) if process.returncode else ""
+    log.settle()
+    if reason:
         raise RunError(reason)
     from scree.results import Run  # brings pandas and xarray, see __init__.py
 
     return Run(directory)
-
-
-def remove_if_only_log(directory):
-    """A run that failed before it began leaves no directory."""
-    if [path.name for path in directory.iterdir()] == ["log"]:
-        shutil.rmtree(directory)
 
 
 def check(case, program=None, **options):

@@ -46,14 +46,16 @@ class Run:
     @cached_property
     def log(self):
         """What the program said, or None where that was not kept."""
-        file = self.directory / "log"
-        return file.read_text(errors="replace") if file.exists() else None
+        for file in (self.directory / "log", self.directory / "log.part"):  # of a run that is under way or was killed
+            if file.exists():
+                return file.read_text(errors="replace")
+        return None
 
     @cached_property
     def monitor(self):
         """monitor.csv as a pandas.DataFrame, a row a step; attrs["units"]: column -> unit."""
         table = pandas.DataFrame(output.monitor(self.directory))
-        units = {name: entry["unit"] for name, entry in self._attributes.items() if "unit" in entry}
+        units = {name: entry["unit"] for name, entry in self.attributes.items() if "unit" in entry}
         # Columns name components: velocity_x, which the files hold at its faces.
         units.update({name.removesuffix("_face"): unit for name, unit in units.items()})
         table.attrs["units"] = {name: output.unit_of(name, units) for name in table}
@@ -66,7 +68,8 @@ class Run:
         return output.field_files(self.directory)
 
     @cached_property
-    def _attributes(self):
+    def attributes(self):
+        """What the field files say of their datasets: name -> {unit, text, symbol}."""
         return output.attributes(self._files[0]) if self._files else {}
 
     @cached_property
@@ -97,8 +100,8 @@ class Run:
 
     def _check_names(self, names):
         for name in names or ():
-            if name not in self._attributes:
-                known = [known for known in self._attributes if not known.endswith("_faces")]
+            if name not in self.attributes:
+                known = [known for known in self.attributes if not known.endswith("_faces")]
                 raise KeyError(f"no field {name} in {self.directory}: there are {', '.join(known)}")
 
     def _nearest(self, times):
@@ -122,7 +125,7 @@ class Run:
         return result
 
     def _describe(self, name):
-        entry = self._attributes[name]
+        entry = self.attributes[name]
         return {"units": entry.get("unit", ""), "long_name": entry.get("text", name), "symbol": entry.get("symbol", "")}
 
     @staticmethod
