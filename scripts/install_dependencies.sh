@@ -5,7 +5,7 @@ set -euo pipefail
 usage() {
   cat <<TEXT
 Usage: scripts/install_dependencies.sh [--dev] [--list]
-  --dev    also clang-format, clang-tidy and valgrind
+  --dev    also clang-format, clang-tidy, valgrind, and what tests of scripts/scree use: a browser and pip
   --list   print the packages and stop
 TEXT
 }
@@ -22,7 +22,7 @@ packages=(
 list_only=false
 for argument in "$@"; do
   case "$argument" in
-    --dev) packages+=(clang-format clang-tidy valgrind) ;;
+    --dev) packages+=(clang-format clang-tidy valgrind chromium python3-pip) ;;
     --list) list_only=true ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; exit 2 ;;

@@ -1,6 +1,7 @@
 """Plots of runs: the look that all have, maps of fields, the monitor; what the commands that draw share."""
 import argparse
 import os
+import re
 
 import matplotlib
 
@@ -48,11 +49,14 @@ def save(figure, directory, name):
     plt.close(figure)
 
 
-def label_of(field):
-    """The axis label of a field: its words, symbol and unit. field: an xarray.DataArray."""
-    unit = field.attrs.get("units", "")
-    words = field.name.replace("_", " ")
-    return f"{words} ({'–' if unit in ('', '1', '-') else unit})"
+def unit_text(unit):
+    """A unit as people write it: m2/s2 as m²/s², none as a dash."""
+    return "–" if unit in ("", "1", "-") else re.sub(r"(?<=[a-zA-Z])[23]", lambda power: "²³"[int(power[0]) - 2], unit)
+
+
+def label_of(name, unit):
+    """The label of an axis: the words of a name and the unit."""
+    return f"{name.replace('_', ' ')} ({unit_text(unit)})"
 
 
 def size_of(field):
@@ -80,7 +84,7 @@ def draw_field(run, name, time=None, axes=None, arrows=None):
         axes = axes or figure.subplots()
         if field.ndim == 1:
             axes.plot(field[field.dims[0]], field)
-            axes.set(xlabel=f"{field.dims[0][0]} (m)", ylabel=label_of(field))
+            axes.set(xlabel=f"{field.dims[0][0]} (m)", ylabel=label_of(field.name, field.attrs["units"]))
         else:
             draw_map(axes, field, data)
             if arrows:
@@ -96,7 +100,7 @@ def draw_map(axes, field, data):
     at_cells = {down, across} <= set("xyz")
     places = [data[f"{axis}_face"] if at_cells else field[axis] for axis in (across, down)]
     image = axes.pcolormesh(*places, field, shading="flat" if at_cells else "nearest", cmap=colours)
-    axes.figure.colorbar(image, ax=axes, label=label_of(field))
+    axes.figure.colorbar(image, ax=axes, label=label_of(field.name, field.attrs["units"]))
     axes.set(xlabel=f"{across[0]} (m)", ylabel=f"{down[0]} (m)", aspect="equal")
 
 
@@ -124,8 +128,8 @@ def draw_monitor(run, columns, axes=None):
         axes = axes or figure.subplots()
         for name in columns:
             axes.plot(table.time, table[name], label=name)
-        unit = ", ".join("–" if unit == "1" else unit for unit in sorted(units))
-        axes.set(xlabel="time (s)", ylabel=f"{columns[0].replace('_', ' ')} ({unit})" if len(columns) == 1 else unit)
+        label = label_of(columns[0], *units) if len(columns) == 1 else ", ".join(map(unit_text, sorted(units)))
+        axes.set(xlabel="time (s)", ylabel=label)
         if len(columns) > 1:
             axes.legend()
     return figure

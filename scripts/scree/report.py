@@ -16,6 +16,7 @@ import numpy as np
 
 from scree import report_figures as figures
 from scree.output import mean_over
+from scree.plots import unit_text
 from scree.program import clock
 from scree.results import Run
 
@@ -211,8 +212,7 @@ def quantities(run):
             continue
         values = monitor[name]
         mean = mean_over(late(run), monitor.time, values) if len(monitor) > 1 else float("nan")
-        unit = monitor.attrs["units"][name]
-        rows.append((words_of(name), "–" if unit == "1" else unit, float(values.iloc[-1]), float(values.min()),
+        rows.append((words_of(name), unit_text(monitor.attrs["units"][name]), float(values.iloc[-1]), float(values.min()),
                      float(values.max()), mean, MEANINGS.get(name, "")))
     return table(rows, ("quantity", "unit", "at the end", "least", "greatest", "mean of the last half", "meaning"))
 

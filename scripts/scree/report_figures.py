@@ -18,7 +18,7 @@ STYLE = {**plots.STYLE, "font.size": 10, "axes.labelsize": 10.5, "lines.linewidt
          "text.color": INK, "axes.labelcolor": INK, "xtick.color": INK, "ytick.color": INK, "axes.edgecolor": INK,
          "figure.facecolor": "none", "axes.facecolor": "none", "savefig.facecolor": "none", "svg.fonttype": "none", "font.sans-serif": ["DejaVu Sans"],
          "figure.constrained_layout.use": False}  # which takes as long as the drawing
-MARGINS = dict(left=0.15, right=0.98, bottom=0.17, top=0.96)  # of curves
+MARGINS = dict(left=0.18, right=0.98, bottom=0.17, top=0.96)  # of curves
 
 FRAMES = 40  # at most, of each field
 FIELDS = 6  # at most
@@ -73,7 +73,7 @@ def profiles(run, field, name):
         for k, colour in zip(chosen, LINES):
             values = plots.size_of(run.dataset([field], [run.times[k]])[field].isel(time=0))
             axes.plot(values.x, values, color=colour, label=f"{run.times[k]:.3g} s")
-        axes.set(xlabel="x (m)", ylabel=plots.label_of(values))
+        axes.set(xlabel="x (m)", ylabel=plots.label_of(field, values.attrs["units"]))
         axes.legend(fontsize=9)
         return svg(figure, name)
 
@@ -188,9 +188,7 @@ def frame_axes(run, field, faces, pixels, colours):
         axes.locator_params(axis="x", nbins=max(2, int(width * 1.6)))
         draw_plates(axes, run.case, faces)
         beside = figure.add_axes([(left + width + 0.15) / total[0], place[1], 0.14 / total[0], place[3]])
-        entry = run.attributes[field]
-        unit = "–" if entry.get("unit", "1") in ("1", "-", "") else entry["unit"]
-        bar = figure.colorbar(colours, cax=beside, label=f"{field.replace('_', ' ')} ({unit})")
+        bar = figure.colorbar(colours, cax=beside, label=plots.label_of(field, run.attributes[field].get("unit", "1")))
         bar.outline.set_visible(False)
         bar.solids.set_rasterized(True)
         picture = svg(figure, f"axes_{field}")

@@ -1,4 +1,6 @@
 """The report of a run: what stands in it, that it needs nothing else, and what a browser makes of it."""
+import base64
+import io
 import re
 import shutil
 import subprocess
@@ -9,7 +11,9 @@ from pathlib import Path
 
 import made_up
 import numpy as np
+from PIL import Image
 
+import scree
 from scree import report, report_figures
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
@@ -24,6 +28,11 @@ def report_of(directory, *arguments):
     return subprocess.run(words, capture_output=True, text=True)
 
 
+def decoded(uri):
+    """The picture of a data URI."""
+    return Image.open(io.BytesIO(base64.b64decode(uri.split(",")[1])))
+
+
 class Place(unittest.TestCase):
     def setUp(self):
         place = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # a browser may still write its profile
@@ -32,10 +41,7 @@ class Place(unittest.TestCase):
 
     def page(self, **more):
         """The report of a made-up run."""
-        directory = made_up.write_run(self.place / "made_up", **more)
-        process = report_of(directory)
-        self.assertEqual((process.returncode, process.stderr), (0, ""))
-        return (directory / "report.html").read_text()
+        return report.write(made_up.write_run(self.place / "made_up", **more)).read_text()
 
 
 class Content(unittest.TestCase):
@@ -97,6 +103,11 @@ class OtherRuns(Place):
         shutil.rmtree(self.place / "made_up")
         self.assertEqual(self.page(dimension=3).count("half way along z"), 1)
 
+    def test_the_command_writes_it_where_it_is_told(self):
+        process = report_of(made_up.write_run(self.place / "made_up", dimension=1), "-o", self.place / "page.html")
+        self.assertEqual((process.returncode, process.stdout), (0, f"Report: {self.place / 'page.html'}\n"))
+        self.assertTrue((self.place / "page.html").exists())
+
     def test_no_run_is_one_line(self):
         process = report_of(self.place)
         self.assertEqual((process.returncode, process.stderr.count("\n")), (1, 1))
@@ -105,22 +116,16 @@ class OtherRuns(Place):
 
 class Frames(Place):
     def test_long_runs_show_some_of_their_times(self):
-        text = self.page(times=np.linspace(0, 0.4, 101))
+        run = scree.open(made_up.write_run(self.place / "made_up", times=np.linspace(0, 0.4, 101)))
+        text = report.fields_in_time(run)
         self.assertEqual(text.count("<img"), report_figures.FRAMES * 3)
         times = re.search(r"data-times='(.*?)'", text)[1].split()
         self.assertEqual((len(times), times[0], times[-1]), (report_figures.FRAMES, "0", "0.4"))
 
     def test_a_frame_has_the_colours_of_its_cells(self):
-        from base64 import b64decode
-        from io import BytesIO
-
-        from PIL import Image
-
-        import scree
-
         run = scree.open(made_up.write_run(self.place / "made_up"))
         shown = report_figures.animation(run, "solids_fraction", run.times)
-        image = Image.open(BytesIO(b64decode(shown.frames[1].split(",")[1])))
+        image = decoded(shown.frames[1])
         self.assertEqual(max(image.size), report_figures.PIXELS)
         # Cells along x: 1/6, 2/6 and 3/6 of the width; 254 shades from 0 to solids_fraction_max.
         for place, x in ((0.02, 0.005), (0.3, 0.02), (0.45, 0.02), (0.55, 0.045), (0.98, 0.045)):
@@ -130,12 +135,7 @@ class Frames(Place):
     def test_cells_without_particles_are_transparent(self):
         picture = report_figures.png(np.array([[0.5, np.nan]]), report_figures.Normalize(0, 1),
                                      report_figures.plt.get_cmap("viridis"))
-        from base64 import b64decode
-        from io import BytesIO
-
-        from PIL import Image
-
-        alpha = np.asarray(Image.open(BytesIO(b64decode(picture.split(",")[1]))).convert("RGBA"))[0, :, 3]
+        alpha = np.asarray(decoded(picture).convert("RGBA"))[0, :, 3]
         self.assertEqual(list(alpha), [255, 0])
 
 
@@ -155,8 +155,6 @@ class InABrowser(Place):
         self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
 
     def test_the_picture_is_not_empty_in_light_and_dark(self):
-        from PIL import Image
-
         self.page()
         brightness = {}
         for name, flags in (("light", []), ("dark", ["--blink-settings=preferredColorScheme=0"])):
