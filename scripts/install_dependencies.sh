@@ -5,7 +5,7 @@ set -euo pipefail
 usage() {
   cat <<TEXT
 Usage: scripts/install_dependencies.sh [--dev] [--list]
-  --dev    also clang-format, clang-tidy and valgrind
+  --dev    also clang-format, clang-tidy, valgrind, and what tests of scripts/scree use: a browser and pip
   --list   print the packages and stop
 TEXT
 }
@@ -16,13 +16,13 @@ packages=(
   petsc-dev libpetsc-real-dev slepc-dev libslepc-real3.18-dev libhypre-dev libmetis-dev libopenblas0-serial
   libhdf5-openmpi-dev libudunits2-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
-  python3-numpy python3-scipy python3-matplotlib python3-h5py
+  python3-numpy python3-scipy python3-matplotlib python3-h5py python3-xarray python3-pandas python3-yaml python3-pil
 )
 
 list_only=false
 for argument in "$@"; do
   case "$argument" in
-    --dev) packages+=(clang-format clang-tidy valgrind) ;;
+    --dev) packages+=(clang-format clang-tidy valgrind chromium python3-pip) ;;
     --list) list_only=true ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; exit 2 ;;

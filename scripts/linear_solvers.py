@@ -9,9 +9,11 @@ overlap of one node between ranks; `filled` is `fieldsplit` with ILU(1), which a
 iterations."""
 import argparse
 import csv
-import os
 import subprocess
 from pathlib import Path
+
+import scree
+from scree import program
 
 ROOT = Path(__file__).resolve().parents[1]
 PRESETS = ("direct", "ilu", "multigrid", "fieldsplit")
@@ -69,17 +71,13 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
-def launcher(ranks):
-    return ["mpirun", "-n", str(ranks), "--oversubscribe"] if ranks > 1 else []
-
-
 def make_state(given, scene):
     """Output directory of the run up to the state of a scene; the run is made if it is not there."""
     case, time, _ = SCENES[scene]
     directory = given.work / scene
     if not (directory / "summary.json").exists():
-        subprocess.run([given.build / "bin" / "scree", ROOT / case, "-end_time", str(time), "-output_dir", directory,
-                        "-output_overwrite"], check=True, stdout=subprocess.DEVNULL)
+        scree.run(ROOT / case, 1, given.build / "bin" / "scree", end_time=time, output_dir=directory,
+                  output_overwrite=True)
     return directory
 
 
@@ -88,11 +86,11 @@ def solve(given, key):
     scene, refine, dt, ranks, preset = key
     row = dict(zip(KEY, (scene, refine, dt, ranks, preset)))
     solver, *more = VARIANTS.get(preset, (preset,))
-    command = [*launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, scene), "-refine", str(refine),
+    command = [*program.launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, scene), "-refine", str(refine),
                "-dt", str(dt), "-solver", solver, "-scene", scene, "-header", *more]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=given.limit,
-                              env={**os.environ, "OMP_NUM_THREADS": "1"})
+                              env=program.environment())
     except subprocess.TimeoutExpired:
         return {**row, "reason": "limit"}
     lines = done.stdout.strip().splitlines()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a case from a fresh checkout: installs what is missing, builds, runs, draws the plots.
+# Runs a case from a fresh checkout: installs what is missing, builds, runs, draws the plots, writes the report.
 set -euo pipefail
 
 usage() {
@@ -13,7 +13,8 @@ Examples: scripts/run.sh cases/bin_discharge
           SCREE_RANKS=4 scripts/run.sh cases/bin_discharge with_air.yaml
 
 Without -output_dir the run goes to out/<case>[_<variant>], or to out/<case>.2, .3 ... if that holds a run already.
-Plots come from scripts/plot_<case>.py, where there is one.
+What it says is kept there in `log`. Plots come from scripts/plot_<case>.py, where there is one; report.html, which
+a browser shows, from scripts/scree-report.
 
 Environment: SCREE_RANKS  number of MPI ranks; default 2
              SCREE_BUILD_DIR, CMAKE_BUILD_PARALLEL_LEVEL  see scripts/build.sh
@@ -78,6 +79,7 @@ launcher=(mpirun -n "$ranks" --bind-to none)
 [ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
 [ "$ranks" -le "$(env -u OMP_NUM_THREADS nproc)" ] || launcher+=(--oversubscribe)
 export OMP_NUM_THREADS=1
+export PYTHONPATH=$root/scripts${PYTHONPATH:+:$PYTHONPATH}
 command=("${launcher[@]}" "${SCREE_BUILD_DIR:-$root/build}/bin/scree" "$case_file" "${overrides[@]}" "${arguments[@]}")
 echo "Running: ${command[*]}"
 
@@ -88,7 +90,7 @@ stop_solver() {
   kill -USR1 "$solver" 2>/dev/null || true
 }
 set -m
-"${command[@]}" </dev/null &
+/usr/bin/python3 -m scree.logged "$output" "${command[@]}" </dev/null &
 solver=$!
 trap stop_solver TERM INT
 while :; do
@@ -103,3 +105,4 @@ if [ -f "$plot" ] && [ -f "$output/monitor.csv" ]; then
   /usr/bin/python3 "$plot" "$output"
   echo "Plots: $output/plots"
 fi
+/usr/bin/python3 "$root/scripts/scree-report" "$output" || echo "run.sh: the report failed; the run is whole" >&2

@@ -14,16 +14,14 @@ import math
 import os
 import shutil
 import signal
-import subprocess
 import sys
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import scree_output
-import scree_quantities
-import scree_work_precision as work_precision
-from scree_work_precision import Setting
+from scree import case_file, output, program, quantities, work_precision
+from scree.program import clock
+from scree.work_precision import Setting
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -133,7 +131,7 @@ def over_bed(x, y, refine=1):
 GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4),
                 "0.2 mm steep": steep(1), "0.1 mm steep": steep(2), "0.05 mm steep": steep(4)}
 BIN = dict(
-    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), blocks=((0.7, 3.3), (5, 100)), read=scree_quantities.bin_quantities,
+    usual_grid="2 mm", longest_steps=(2e-3, 5e-3, 1e-2, 4e-2), blocks=((0.7, 3.3), (5, 100)), read=quantities.bin_quantities,
     full_width={
         "grid_x_edges": "-4 cm, -0.7 cm, 0.7 cm, 4 cm", "boundary_centreline_kind": "wall_johnson_jackson",
         "boundary_centreline_patch": "5 cm, 105 cm", "boundary_left_side": "x_lower", "boundary_left_kind": "open",
@@ -162,7 +160,7 @@ SCENES = {
                "3 mm graded": over_bed((3, 20), (133, 30)), "1.5 mm graded": over_bed((3, 20), (133, 30), 2)},
         usual_grid="3 mm", product_grids=("6 mm", "3 mm"), costly_grids=("1.5 mm",), costly_accuracies=(1e-2,),
         solver_grids=("3 mm",), preset="fieldsplit", models=(*SIMPLER_MODELS, {"gas": "darcy"}), longest_steps=(2e-3, 5e-3, 2e-2),
-        time_step_max=1e-3, gas="incompressible", blocks=((1, 6), (40, 30)), read=scree_quantities.bubble_quantities,
+        time_step_max=1e-3, gas="incompressible", blocks=((1, 6), (40, 30)), read=quantities.bubble_quantities,
         full_width={"grid_x_edges": "-7 cm, -1 cm, 1 cm, 7 cm", "boundary_centreline_kind": "wall_free_slip",
                     "boundary_slit_patch": "-1 cm, 1 cm", "initial_bed_box": "-7 cm, 7 cm, 0, 40 cm", "output_mirror": "1"},
         window=(0.4, 0.5), field_interval=0.0, cpu_seconds=60, cost_exponent=1.4,
@@ -248,21 +246,13 @@ def options(scene, setting, end_time):
 # ---- running ----
 
 
-class Interrupted(Exception):
-    pass
-
-
-def interrupt(*_):
-    raise Interrupted
-
-
 class Runs:
     """The runs of a case below a directory: starts them, keeps what is whole, reads what is there."""
 
-    def __init__(self, scene, case_file, program, directory, window):
-        self.scene, self.case_file, self.program, self.window = scene, case_file, program, window
+    def __init__(self, scene, case_path, executable, directory, window):
+        self.scene, self.case_path, self.program, self.window = scene, case_path, executable, window
         self.directory = directory
-        self.case = whole_case(case_file)
+        self.case = case_file.read(case_path)
 
     def key(self, setting):
         """What makes a run the same: its options, ranks, and the text of the case."""
@@ -301,23 +291,18 @@ class Runs:
 
     def ended(self, setting, directory, seconds):
         """Runs the program to its end; "end_time", or in a few words why not."""
-        words = launcher(setting.ranks) + [str(self.program), str(self.case_file)]
-        for name, value in {**options(self.scene, setting, self.window[1]), "output_dir": directory / "out",
-                            "wall_clock_budget": f"{seconds:.0f}"}.items():
-            words += [f"-{name}", str(value)]
-        with open(directory / "log", "w") as log:
-            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
-                                       start_new_session=True, env=environment())
-            try:
-                process.wait()
-            except BaseException:
-                end_group(process)
-                raise
-        summary = directory / "out" / "summary.json"
-        if process.returncode != 0 or not summary.exists():
-            text = (directory / "log").read_text().strip().splitlines()
-            return f"exit code {process.returncode}: {text[-1] if text else ''}"
-        end = json.loads(summary.read_text())["end"]
+        given = {**options(self.scene, setting, self.window[1]), "output_dir": directory / "out",
+                 "wall_clock_budget": f"{seconds:.0f}"}
+        log = directory / "log"
+        process = program.start(program.command(self.program, self.case_path, given, setting.ranks), log)
+        try:
+            process.wait()
+        except BaseException:
+            program.end_group(process)
+            raise
+        if process.returncode:
+            return program.failure(log, process.returncode)
+        end = output.summary(directory / "out")["end"]
         # The checkpoint is of no use here, and as large as all fields together.
         shutil.rmtree(directory / "out" / "checkpoints", ignore_errors=True)
         return end if end == "end_time" else "budget"
@@ -331,47 +316,9 @@ class Runs:
                 grid = self.scene.grids[setting.grid]
                 found.append(work_precision.Row(
                     setting, grid.smallest_cell(self.scene.blocks),
-                    scree_quantities.cost(directory, self.window),
-                    scree_quantities.quantities(self.scene.read, directory, self.window), grid.family))
+                    quantities.cost(directory, self.window),
+                    quantities.quantities(self.scene.read, directory, self.window), grid.family))
         return found
-
-
-def whole_case(path):
-    """The options of a case file and of what it is based on."""
-    own = scree_output.flatten(path.read_text())
-    base = own.pop("based_on", None)
-    return {**(whole_case(path.parent / base) if base else {}), **own}
-
-
-def launcher(ranks):
-    if ranks == 1:
-        return []
-    return ["mpirun", "-n", str(ranks), "--bind-to", "none", "--oversubscribe",
-            *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
-
-
-def environment():
-    return {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
-
-
-def end_group(process):
-    """Ends the program with all its ranks."""
-    for number in (signal.SIGTERM, signal.SIGKILL):
-        try:
-            os.killpg(process.pid, number)
-            process.wait(timeout=5)
-            return
-        except ProcessLookupError:
-            return
-        except subprocess.TimeoutExpired:
-            pass
-
-
-def clock(seconds):
-    minutes = round(seconds / 60)
-    if minutes < 2:
-        return f"{seconds:.0f} s"
-    return f"{minutes // 60} h {minutes % 60:02d} min" if minutes >= 60 else f"{minutes} min"
 
 
 class Estimates:
@@ -386,7 +333,7 @@ class Estimates:
         self.measured += wall
 
     def raw(self, setting):
-        ranks_at_once = min(setting.ranks, len(os.sched_getaffinity(0)))
+        ranks_at_once = min(setting.ranks, program.cores())
         return self.stretch * estimate(self.scene, setting) / ranks_at_once
 
     def __call__(self, setting):
@@ -427,10 +374,10 @@ def evaluate(runs, settings, name, out):
     if not rows:
         print("no finished runs to evaluate")
         return
-    import scree_work_precision_plots as plots  # takes a second to load, which a dry run need not wait for
+    from scree import work_precision_plots as plots  # takes a second to load, which a dry run need not wait for
 
     references = work_precision.add_errors(rows, runs.scene.usual)
-    work_precision.write_csv(out / "runs.csv", name, rows, scree_quantities.UNITS, runs.scene.usual)
+    work_precision.write_csv(out / "runs.csv", name, rows, quantities.UNITS, runs.scene.usual)
     text = work_precision.choice_text(name, rows, references, runs.scene.usual)
     (out / "choice.md").write_text(text)
     plots.draw_all(rows, references, runs.scene.usual, name, out)
@@ -463,10 +410,9 @@ def words(allowed):
 
 
 def arguments():
-    build = Path(os.environ.get("SCREE_BUILD_DIR", ROOT / "build"))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", type=Path, metavar="CASE", help=", ".join(f"cases/{name}" for name in SCENES))
-    parser.add_argument("--program", type=Path, default=build / "bin" / "scree", help="default: that of scripts/build.sh")
+    parser.add_argument("--program", type=Path, default=program.default_program(), help="default: that of scripts/build.sh")
     parser.add_argument("--ranks", type=lambda text: [int(word) for word in text.split(",")], default=[1, 2],
                         help="of the axis solver; all others run on 1. Default 1,2")
     parser.add_argument("--only", type=words(AXES), default=list(AXES), help=f"axes, of {', '.join(AXES)}")
@@ -505,11 +451,11 @@ def main():
         list_runs(runs, settings, estimates)
         return
     given.out.mkdir(parents=True, exist_ok=True)
-    signal.signal(signal.SIGTERM, interrupt)
+    signal.signal(signal.SIGTERM, program.interrupt)
     stopped = False
     try:
         run_all(runs, settings, estimates, 60 * given.budget)
-    except (Interrupted, KeyboardInterrupt):
+    except (program.Interrupted, KeyboardInterrupt):
         stopped = True
         print("\ninterrupted: the run under way is thrown away; start again to go on")
     signal.signal(signal.SIGTERM, signal.SIG_DFL)

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import paper_figures
 import paper_runs
 import paper_quantities
-import scree_plots
+from scree import plots
 
 NAME = "convergence"
 PANELS = {"rate of discharge": "convergence.rate",
@@ -59,7 +59,7 @@ def main():
         for name, grid in runs_needed(given.grid):
             given.runs.get(name, grid)
     values = paper_quantities.Values(given.runs, given.out)
-    plt.rcParams.update(scree_plots.STYLE)
+    plt.rcParams.update(plots.STYLE)
     figure = draw(values)
     values.keep()
     paper_figures.save(figure, given.out, NAME, *table(values))

@@ -1,32 +1,25 @@
 #!/usr/bin/python3
 """Figure 3: the geometries of the bin discharge and of the rising bubble, drawn from the case files as scree reads
 them."""
-import subprocess
-
 import matplotlib.pyplot as plt
 from matplotlib.patches import Rectangle
 
 import paper_figures
 import paper_runs
-import scree_output
+import scree
+from scree import case_file
 
 EDGE = dict(color="black", linewidth=2.5, solid_capstyle="butt")
 
 
 def understood(given, path):
     """The options of a case as scree prints them, in SI."""
-    given.runs.check_program()
-    words = [str(given.runs.program), str(path), "-check"]
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                             env=paper_runs.environment())
-    if process.returncode:
-        raise paper_runs.Problem(f"{path}: {process.stderr.strip().splitlines()[-1]}")
-    return scree_output.flatten(process.stdout)
+    return scree.check(path, given.runs.program)
 
 
 def lengths(case, option):
     """The lengths of an option [cm]."""
-    return [100 * value for value in scree_output.lengths(case[option])]
+    return [100 * value for value in case_file.lengths(case[option])]
 
 
 def dimension(axes, begin, end, text, **place):

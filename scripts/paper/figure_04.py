@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Figure 4: rate of discharge of 1 mm particles against time, for three relaxation times tau; gas off."""
 import paper_figures
-from plot_bin_discharge import PAPER_RATE
+from scree.bin_discharge import PAPER_RATE
 
 RUNS = {"bin": "τ = 10⁻³ s", "bin_tau_1e-2": "τ = 10⁻² s", "bin_tau_1e-1": "τ = 10⁻¹ s"}
 

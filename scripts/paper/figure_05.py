@@ -3,15 +3,15 @@
 import numpy as np
 
 import paper_figures
-import plot_bin_discharge
+from scree import bin_discharge
 
 INSTANT = 3.0  # [s]
 
 
 def draw(given, directories):
     run = paper_figures.Discharge(directories["bin"], at=INSTANT)
-    figure = plot_bin_discharge.draw_bottom_map(run, paper_figures.GREYS)
-    shown = run.y < plot_bin_discharge.ABOVE
+    figure = bin_discharge.draw_bottom_map(run, paper_figures.GREYS)
+    shown = run.y < bin_discharge.ABOVE
     x, y = np.meshgrid(run.x, run.y[shown])
     columns = [array.ravel() for array in (x, y, run.nu[shown], run.velocity[shown, :, 0], run.velocity[shown, :, 1])]
     return figure, ["x [cm]", "y [cm]", "nu", "v_x [cm/s]", "v_y [cm/s]"], list(zip(*columns))

@@ -2,7 +2,7 @@
 """Figure 7: nu along the centreline, means over the plateau; 1 mm particles, critical state and air against the full
 model."""
 import paper_figures
-from plot_bin_discharge import ABOVE, BELOW
+from scree.bin_discharge import ABOVE, BELOW
 
 RUNS = {"bin": "relaxed", "bin_critical_state": "critical state", "bin_air": "relaxed, with air"}
 

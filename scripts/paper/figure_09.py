@@ -6,7 +6,7 @@ import numpy as np
 
 import paper_figures
 import paper_runs
-from plot_bin_discharge import PAPER_RATE
+from scree.bin_discharge import PAPER_RATE
 
 WIDTHS = paper_runs.WIDTHS
 WINDOW = (1.0, 2.0)  # [s], the same for all

@@ -2,7 +2,7 @@
 """Figure 11: nu along the centreline, means over the plateau; 100 um particles with and without air."""
 import figure_10
 import paper_figures
-from plot_bin_discharge import ABOVE, BELOW
+from scree.bin_discharge import ABOVE, BELOW
 
 
 def draw(given, directories):

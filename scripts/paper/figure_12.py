@@ -4,7 +4,7 @@ air."""
 import numpy as np
 
 import paper_figures
-from plot_bin_discharge import BELOW
+from scree.bin_discharge import BELOW
 
 ATMOSPHERE = 101325.0  # [Pa]; p_g of the program is over that of still gas
 SHOWN = 40.0  # [cm] above the orifice

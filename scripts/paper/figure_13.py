@@ -3,17 +3,17 @@
 import numpy as np
 
 import paper_figures
-import plot_bubble_rise
+from scree import bubble_rise
 
 RUNS = {"bubble_relaxed": "(a) relaxed", "bubble_critical_state": "(b) critical state",
         "bubble_no_friction": "(c) no friction"}
 
 
 def draw(given, directories):
-    runs = [plot_bubble_rise.Run(directories[name], rows=False) for name in RUNS]
+    runs = [bubble_rise.Run(directories[name], rows=False) for name in RUNS]
     for run, label in zip(runs, RUNS.values()):
         run.label = label
-    figure = plot_bubble_rise.draw_bubbles(runs, paper_figures.GREYS)
+    figure = bubble_rise.draw_bubbles(runs, paper_figures.GREYS)
     faces = [100 * runs[0].last[name] for name in ("x_faces", "y_faces")]
     x, y = np.meshgrid(*((face[1:] + face[:-1]) / 2 for face in faces))
     columns = [array.ravel() for array in (x, y, *(run.last["solids_fraction"] for run in runs))]

@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import paper_figures
-import scree_output
+from scree import output
 
 RUNS = {"bin": "relaxed", "bin_instantaneous": "instantaneous"}
 WINDOW = (0.2, 1.0)  # [s], in which the plug dilates and compacts by turns
@@ -20,7 +20,7 @@ def alternating(directory):
     The fourth difference over 16: 1 for a wave of two cells, small with the fourth power of the cell for smooth
     fields."""
     end = paper_figures.Discharge(directory).monitor_time[-1]
-    times = [paper_figures.time_of(path) for path in scree_output.field_files(directory)]
+    times = [output.time_of_file(path) for path in output.field_files(directory)]
     parts = []
     for time in [t for t in times if WINDOW[0] <= t <= WINDOW[1] + 0.02] or [end]:
         run = paper_figures.Discharge(directory, at=time)

@@ -18,7 +18,7 @@ import paper_figures
 import paper_quantities
 import paper_runs
 
-from speed_against_error import clock
+from scree.program import clock
 
 PAGE = Path(__file__).with_name("page.md")
 PICTURES = paper_runs.CASES / "paper"

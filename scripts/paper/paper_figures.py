@@ -9,9 +9,7 @@ import paper_runs
 import matplotlib.pyplot as plt
 import numpy as np
 
-import plot_bin_discharge
-import scree_output
-import scree_plots
+from scree import bin_discharge, output, plots
 
 #: Curves of a figure as the paper has them: solid, broken, dotted; widths leave coinciding ones visible.
 LINES = [dict(color="0.65", linestyle="-", linewidth=3.4), dict(color="black", linestyle="--", linewidth=1.6),
@@ -22,13 +20,13 @@ RATE_AXES = dict(xlabel="time (s)", ylabel="discharge rate (g/s)")
 ORIFICE = dict(color="0.4", linestyle="--", linewidth=1)
 
 
-class Discharge(plot_bin_discharge.Run):
+class Discharge(bin_discharge.Run):
     """A run of the bin with its means over a window of time, in cgs units; heights are over the orifice plane."""
 
     def __init__(self, directory, window=(), at=None):
         """window: of the means [s]; of a run that ends before it, its last half is taken. at: time of the fields
         [s]."""
-        super().__init__(directory, field_at(directory, at) if at is not None else None)
+        super().__init__(directory, output.fields_near(directory, at) if at is not None else None)
         last_half = self.monitor_time[-1] / 2, self.monitor_time[-1]
         self.window = window if window and self.reaches(window[1]) else last_half
 
@@ -37,7 +35,7 @@ class Discharge(plot_bin_discharge.Run):
 
     def mean_rate(self, window=None):
         """Mean rate of discharge over the window [g/s]."""
-        return mean_over(window or self.window, self.monitor_time, self.rate)
+        return super().mean_rate(window or self.window)
 
     def rate_at(self, time):
         return float(np.interp(time, self.monitor_time, self.rate))
@@ -49,10 +47,9 @@ class Discharge(plot_bin_discharge.Run):
     def mean(self, name, window=None):
         """Mean of a field over the files of the window, at least the nearest to its middle."""
         begin, end = window or self.window
-        files = {path: time_of(path) for path in scree_output.field_files(self.directory)}
-        inside = [path for path, time in files.items() if begin - 1e-9 <= time <= end + 1e-9]
-        inside = inside or [min(files, key=lambda path: abs(files[path] - (begin + end) / 2))]
-        fields = [scree_output.fields(path, [name]) for path in inside]
+        inside = output.files_between(self.directory, begin, end)
+        inside = inside or [output.file_near(self.directory, (begin + end) / 2)]
+        fields = [output.fields(path, [name]) for path in inside]
         return np.mean([one[name] for one in fields], axis=0) if name in fields[0] else None
 
     def mean_centreline(self, name, window=None):
@@ -72,20 +69,6 @@ def discharges(directories, window):
     for run in runs:
         run.window = shortest.window
     return runs
-
-
-def mean_over(window, times, values):
-    t = np.linspace(*window, 2001)  # steps differ in length
-    return float(np.mean(np.interp(t, times, values)))
-
-
-def time_of(path):
-    return scree_output.fields(path, [])["time"]
-
-
-def field_at(directory, time):
-    """The fields nearest to a time [s]."""
-    return scree_output.fields(min(scree_output.field_files(directory), key=lambda path: abs(time_of(path) - time)))
 
 
 def rows_of(name, *columns):
@@ -135,7 +118,7 @@ def produce(name, text, draw, needs=(), grid="paper"):
         if given.skip_done and up_to_date(given.out, name, script, records):
             print(f"  {given.out / name}.png is there")
             return
-        plt.rcParams.update(scree_plots.STYLE)
+        plt.rcParams.update(plots.STYLE)
         figure, header, rows = draw(given, directories)
         save(figure, given.out, name, header, rows)
 

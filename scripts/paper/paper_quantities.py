@@ -18,12 +18,10 @@ import figure_06
 import figure_09
 import flutter
 import parameters
-import plot_bubble_rise
-import scree_output
-import scree_quantities
+from scree import bubble_rise, output, quantities
 import starts
-from plot_bin_discharge import DEPTH_TIMES
-from scree_work_precision import CORRECTION_DOUBT, ORDER_RANGE, Series, extrapolated
+from scree.bin_discharge import DEPTH_TIMES
+from scree.work_precision import CORRECTION_DOUBT, ORDER_RANGE, Series, extrapolated
 
 EARLY, PLATEAU, FINE = (0.3, 0.5), (1.0, 2.0), TABLE["fine_air"].window  # [s]
 NU, CHI, P_G = "solids_fraction", "frictional_pressure_ratio", "gas_pressure"
@@ -59,13 +57,13 @@ class Quantity:
 @functools.lru_cache(maxsize=None)
 def bubble(directory):
     """bottom, top, width, area of the bubble at the end."""
-    return {name: float(value[0]) for name, value in scree_quantities.bubble_quantities(directory, None).items()}
+    return {name: float(value[0]) for name, value in quantities.bubble_quantities(directory, None).items()}
 
 
 def rise(directory, begin=0.4, end=0.5):
     """Mean speed of the bubble's top between two times [cm/s]."""
     states = [paper_figures.field_at(directory, time) for time in (begin, end)]
-    tops = [plot_bubble_rise.bubble(state)["top"] for state in states]
+    tops = [bubble_rise.bubble(state)["top"] for state in states]
     return (tops[1] - tops[0]) / (states[1]["time"] - states[0]["time"])
 
 
@@ -131,7 +129,7 @@ def profiles_apart(window):
     """Greatest difference of nu on the centreline, 5 cm below to 20 cm above the orifice."""
 
     def read(*directories):
-        first, second = (scree_quantities.profile(run, run.mean(NU)) for run in discharges(directories, window))
+        first, second = (quantities.profile(run, run.mean(NU)) for run in discharges(directories, window))
         return float(np.abs(first - second).max())
 
     return read
@@ -391,7 +389,7 @@ class Values:
 
     def cell_size(self, quantity, grid):
         """Root of the mean cell area [cm]."""
-        fields = scree_output.last_fields(self.directories(quantity, grid)[0])
+        fields = output.last_fields(self.directories(quantity, grid)[0])
         x, y = fields["x_faces"], fields["y_faces"]
         return 100 * math.sqrt((x[-1] - x[0]) * (y[-1] - y[0]) / ((len(x) - 1) * (len(y) - 1)))
 
@@ -409,7 +407,7 @@ class Values:
         columns = [np.array([values[grid]]) for grid in finest]
         value, order, regular = Series("upwind", sizes, columns).limit()
         correction = abs(value[0] - values[finest[0]])
-        # As scree_work_precision.grid_reference: part of the correction, all of it where the order is not seen.
+        # As work_precision.grid_reference: part of the correction, all of it where the order is not seen.
         doubt = correction * (CORRECTION_DOUBT if regular else 1)
         if regular and order in ORDER_RANGE:  # what the grids show lies beyond: they are not fine enough to go by it
             doubt = max(doubt, abs(value[0] - extrapolated(sizes, columns, 1.0)[0]))

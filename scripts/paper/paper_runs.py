@@ -14,7 +14,6 @@ import json
 import os
 import shutil
 import signal
-import subprocess
 import sys
 import time
 from dataclasses import dataclass, field
@@ -23,8 +22,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import numpy as np
 
-import scree_output
-from speed_against_error import Interrupted, clock, end_group, environment, interrupt, launcher, whole_case
+from scree import case_file, output, program
+from scree.program import Interrupted, clock
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"
@@ -36,7 +35,6 @@ GRID_COST = {"coarse": 0.18, "paper": 1.0, "half": 7.0, "quarter": 60.0}
 #: Options that change nothing but how much is computed and written.
 BESIDE_THE_POINT = ("end_time", "output_dir", "checkpoint_interval", "based_on")
 CHECKPOINTS = 20  # a run
-STOP_SECONDS = 60  # a run may take to write its checkpoint when it is stopped
 
 
 @dataclass(frozen=True)
@@ -71,7 +69,7 @@ class Entry:
 
     def key(self, grid):
         """What makes a run the same: all options that were given, by case file or on top."""
-        options = {**whole_case(self.case(grid)), **self.given(grid)}
+        options = {**case_file.read(self.case(grid)), **self.given(grid)}
         return {name: value for name, value in sorted(options.items()) if name not in BESIDE_THE_POINT}
 
     def cpu_seconds(self, grid, begin, end):
@@ -300,11 +298,9 @@ class Runs:
             count_lost_session(place, record)
         end = self.end_time(entry, grid)
         ranks = self.ranks or ranks_of(grid)
-        words = launcher(ranks) + [str(self.program), str(entry.case(grid))]
-        for name, value in {**entry.given(grid), "output_dir": place / "out", "end_time": f"{end:.9g}",
-                            "checkpoint_interval": f"{end / CHECKPOINTS:.3g}"}.items():
-            words += [f"-{name}", str(value)]
-        words += ["-restart", str(place / "out")] if goes_on else []
+        options = {**entry.given(grid), "output_dir": place / "out", "end_time": f"{end:.9g}",
+                   "checkpoint_interval": f"{end / CHECKPOINTS:.3g}", **({"restart": place / "out"} if goes_on else {})}
+        words = program.command(self.program, entry.case(grid), options, ranks)
         begins = f"goes on from t = {reached_so_far(place / 'out'):.3g} s" if goes_on else "from t = 0"
         expected = f"about {clock(self.wall_left(entry, grid))} on {ranks} rank{'s' * (ranks > 1)}"
         print(f"  {place.name}: {begins} to {end:g} s, {expected}", flush=True)
@@ -323,33 +319,21 @@ class Runs:
     def watch(self, words, place, entry, grid, end):
         """Waits for the program, saying how far it is, and returns its exit code; when stopped, lets it write a
         checkpoint."""
-        with open(place / "log", "a") as log:
-            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
-                                       start_new_session=True, env=environment(), pass_fds=[self.lock])
+        process = program.start(words, place / "log", pass_fds=[self.lock])
         line = Progress(place, entry, grid, end)
-        previous = signal.signal(signal.SIGTERM, interrupt)
+        previous = signal.signal(signal.SIGTERM, program.interrupt)
         try:
             while process.poll() is None:
                 time.sleep(0.2)
                 line.show()
         except BaseException:
             line.end()
-            stop(process)
+            program.stop(process)
             raise
         finally:
             signal.signal(signal.SIGTERM, previous)
         line.end()
         return process.returncode
-
-
-def stop(process):
-    """mpirun passes SIGUSR1 on to its ranks, which end after the step under way with a checkpoint."""
-    with contextlib.suppress(ProcessLookupError):
-        process.send_signal(signal.SIGUSR1)
-    try:
-        process.wait(timeout=STOP_SECONDS)
-    except (subprocess.TimeoutExpired, KeyboardInterrupt, Interrupted):
-        end_group(process)
 
 
 def write_record(place, record):
@@ -366,7 +350,7 @@ def same_run(place, record):
 def last_row(out, *names):
     """The named columns of the last row of monitor.csv; zeros where there is none."""
     try:
-        columns = scree_output.monitor(out)
+        columns = output.monitor(out)
         return [float(columns[name][-1]) for name in names]
     except (OSError, ValueError, IndexError, KeyError):
         return [0.0] * len(names)
@@ -427,10 +411,6 @@ class Progress:
 # ---- from the command line ----
 
 
-def default_program():
-    return Path(os.environ.get("SCREE_BUILD_DIR", ROOT / "build")) / "bin" / "scree"
-
-
 def positive(kind):
     def parse(text):
         value = kind(text)
@@ -456,7 +436,7 @@ def arguments(text, grid="paper", more=()):
                         help=f"default {grid or 'those of the page'}; half and quarter: of the paper's cells")
     parser.add_argument("--end-time", type=positive(float), default=float("inf"), metavar="S",
                         help="no run goes beyond this time [s]")
-    parser.add_argument("--program", type=Path, default=default_program(), help="default: that of scripts/build.sh")
+    parser.add_argument("--program", type=Path, default=program.default_program(), help="default: that of scripts/build.sh")
     parser.add_argument("--ranks", type=positive(int), help="default 2, on the coarse grid 1")
     parser.add_argument("--out", type=Path, default=ROOT / "out" / "paper", help="default out/paper")
     parser.add_argument("--only-draw", action="store_true", help="run nothing, draw what is there")
@@ -478,7 +458,7 @@ def guarded(main):
     except (Interrupted, KeyboardInterrupt):
         print(f"{name}: stopped; start again to go on", file=sys.stderr)
         sys.exit(130)
-    except (Problem, OSError) as problem:
+    except (Problem, program.RunError, OSError) as problem:
         print(f"{name}: {problem}", file=sys.stderr)
         sys.exit(1)
 

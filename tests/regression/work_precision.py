@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 from scree_program import Checks  # finds scripts/ too
-import scree_work_precision as work_precision
+from scree import work_precision
 import speed_against_error
-from scree_work_precision import Row, Setting
+from scree.work_precision import Row, Setting
 
 EXACT, PROFILE = 100.0, 0.6 - 0.1 * np.exp(-np.linspace(0, 3, 31))
 SIZES = {"4 mm": 0.4, "2 mm": 0.2, "1 mm": 0.1}

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import scree_output as output  # noqa: E402
+from scree import output  # noqa: E402
 
 
 class Run:

@@ -10,8 +10,8 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "support"), str(HERE.parents[2] / "scripts")]
-import scree_output as output  # noqa: E402
-from scree_plots import STYLE, plt  # noqa: E402
+from scree import output  # noqa: E402
+from scree.plots import STYLE, plt  # noqa: E402
 from waves import RATIO, divergence, lagged_factor  # noqa: E402
 
 

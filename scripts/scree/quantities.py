@@ -1,15 +1,13 @@
-"""What speed_against_error.py compares: quantities of interest and cost of a finished run, in cgs units."""
+"""Quantities of interest and cost of a finished run of the bins and of the bubble, in cgs units."""
 import json
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-import plot_bin_discharge
-import plot_bubble_rise
-import scree_output
+from scree import bin_discharge, bubble_rise, output
 
-HEIGHTS = np.linspace(0, plot_bin_discharge.ABOVE, 201)  # of the profiles above the orifice plane [cm]
+HEIGHTS = np.linspace(0, bin_discharge.ABOVE, 201)  # of the profiles above the orifice plane [cm]
 UNITS = {"rate": "g/s", "bottom": "cm", "top": "cm", "width": "cm", "area": "cm2"}
 SAME_BUBBLE = 0.05  # difference, as a part of the width, up to which a contour is that of the bubble found
 FIRST = 0.1  # [s], the start whose cost is told apart
@@ -18,16 +16,13 @@ FIRST = 0.1  # [s], the start whose cost is told apart
 def bin_quantities(directory, window):
     """Mean rate [g/s] over the window of time, and the profiles of nu and chi along the centreline, means over the field
     files of the window."""
-    run = plot_bin_discharge.Run(directory)
-    t = np.linspace(*window, 2001)  # steps differ in length
+    run = bin_discharge.Run(directory)
     nu, chi = [], []
-    for path in scree_output.field_files(directory):
-        fields = scree_output.fields(path, ["solids_fraction", "frictional_pressure_ratio"])
-        if window[0] - 1e-9 <= fields["time"] <= window[1] + 1e-9:
-            nu.append(profile(run, fields["solids_fraction"]))
-            chi.append(profile(run, fields["frictional_pressure_ratio"]) if run.chi is not None else without_chi(directory))
-    rate = np.mean(np.interp(t, run.monitor_time, run.rate))
-    return {"rate": np.array([rate]), "nu on the centreline": np.mean(nu, axis=0),
+    for path in output.files_between(directory, *window):
+        fields = output.fields(path, ["solids_fraction", "frictional_pressure_ratio"])
+        nu.append(profile(run, fields["solids_fraction"]))
+        chi.append(profile(run, fields["frictional_pressure_ratio"]) if run.chi is not None else without_chi(directory))
+    return {"rate": np.array([run.mean_rate(window)]), "nu on the centreline": np.mean(nu, axis=0),
             "chi on the centreline": np.mean(chi, axis=0)}
 
 
@@ -37,18 +32,18 @@ def profile(run, field):
 
 def without_chi(directory):
     """critical_state is chi = 1; other models without the unknown do not write it."""
-    model = scree_output.case(directory).get("friction_model")
+    model = output.case(directory).get("friction_model")
     return np.full(len(HEIGHTS), 1.0 if model == "critical_state" else np.nan)
 
 
 def bubble_quantities(directory, window):
     """bottom, top, width [cm] and area [cm2] of the bubble at the end, which steps hit exactly.
 
-    The region of plot_bubble_rise counts parts of cells, 2 % of the width on a coarse grid: its ends are taken from the
+    The region of bubble_rise counts parts of cells, 2 % of the width on a coarse grid: its ends are taken from the
     contour instead. A bubble that still stands on the floor has no closed one, and keeps what was counted."""
-    fields = scree_output.last_fields(directory)
-    found = plot_bubble_rise.bubble(fields)
-    for loop in closed_contours(*plot_bubble_rise.full_width(fields)):
+    fields = output.last_fields(directory)
+    found = bubble_rise.bubble(fields)
+    for loop in closed_contours(*bubble_rise.full_width(fields)):
         (left, bottom), (right, top) = loop.min(axis=0), loop.max(axis=0)
         ends = dict(bottom=bottom, top=top, width=right - left)
         if all(abs(ends[name] - found[name]) < SAME_BUBBLE * found["width"] for name in ends):
@@ -60,7 +55,7 @@ def bubble_quantities(directory, window):
 def closed_contours(x, y, nu):
     """The closed lines on which nu has the level of the bubble: arrays of points [cm]."""
     figure, axes = plt.subplots()
-    segments = axes.contour(x, y, nu, [plot_bubble_rise.LEVEL]).allsegs[0]
+    segments = axes.contour(x, y, nu, [bubble_rise.LEVEL]).allsegs[0]
     plt.close(figure)
     return [segment for segment in segments if len(segment) > 3 and np.allclose(segment[0], segment[-1])]
 
@@ -79,16 +74,16 @@ def quantities(read, directory, window):
 
 
 def cost(directory, window):
-    """Cost of a run, names as in scree_work_precision.COST_NAMES.
+    """Cost of a run, names as in work_precision.COST_NAMES.
 
     The program clocks its phases by the wall; they are scaled by the part of it in which the processors were ours, so that
     they add up on a busy machine too. Set-up outside of a solve is taken off Krylov by the program, which then may be
     negative: it counts as none here."""
-    summary = json.loads((Path(directory) / "summary.json").read_text())
+    summary = output.summary(directory)
     cpu, wall = summary["cpu_seconds"], summary["wall_seconds"]
     ours = min(1.0, cpu["total"] / (wall * summary["ranks"]))
-    monitor = scree_output.monitor(directory)
-    time, spent = scree_output.time_of(monitor), monitor["cpu_seconds"]
+    monitor = output.monitor(directory)
+    time, spent = output.time_of(monitor), monitor["cpu_seconds"]
     at = lambda t: np.interp(t, time, spent)
     begin, end = min(window[0], time[-1]), min(window[1], time[-1])
     return {

@@ -8,8 +8,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-import scree_plots
-import scree_work_precision as work_precision
+from scree import plots, work_precision
 
 COLOURS = {"upwind": "#16324f", "van_albada": "#e08214"}
 LINES = {"upwind": "-", "van_albada": "--"}
@@ -22,7 +21,7 @@ SMALLEST = 1e-3  # [%], for logarithmic axes: less is drawn there
 
 def draw_all(rows, references, usual, case, out):
     """Into out/plots, what the runs allow."""
-    plt.rcParams.update({**scree_plots.STYLE, "savefig.dpi": 120, "font.size": 10.5, "axes.labelsize": 11})
+    plt.rcParams.update({**plots.STYLE, "savefig.dpi": 120, "font.size": 10.5, "axes.labelsize": 11})
     draw_if(any(references.values()), lambda: draw_total(rows, references, usual, case), out, "error_total.png")
     draw_if(any(row.errors["time"] for row in rows), lambda: draw_time(rows, usual, case), out, "error_time.png")
     draw_if(work_precision.model_variants(rows), lambda: draw_models(rows, usual, case), out, "models.png")
@@ -36,7 +35,7 @@ def draw_all(rows, references, usual, case, out):
 def draw_if(condition, draw, out, name):
     """A picture, or none of an earlier state where there is nothing to draw."""
     if condition:
-        scree_plots.save(draw(), out, name)
+        plots.save(draw(), out, name)
     else:
         (out / "plots" / name).unlink(missing_ok=True)
 

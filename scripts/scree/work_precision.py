@@ -1,5 +1,5 @@
 """What a run costs and how far it is off: orders and extrapolation over grids, errors of grid, time step and model, and
-the cheapest setting for an accuracy. Numbers only; the pictures are in scree_work_precision_plots.py."""
+the cheapest setting for an accuracy. Numbers only; the pictures are in work_precision_plots.py."""
 import csv
 import dataclasses
 import math
