@@ -9,7 +9,7 @@ namespace scree {
 /// face_axis 0, 1, 2 are the components of one vector.
 struct Field {
   std::string dataset;  ///< name in files, e.g. "solids_fraction"; all components of a vector say "velocity"
-  std::string symbol;   ///< as in model.md
+  std::string symbol;   ///< as in src/MODEL.md
   std::string unit;     ///< SI
   std::string text;     ///< one line for readers of the file
   int component = 0;    ///< in the DMDA node
