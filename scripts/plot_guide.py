@@ -7,12 +7,14 @@ from pathlib import Path
 
 import numpy as np
 
+from matplotlib.ticker import MaxNLocator
+
 import scree_output
 import scree_plots
 from scree_plots import plt
 
 PANELS = 5
-ARROWS = 12  # along the longer axis
+ARROWS = 4, 14  # along x and y
 
 
 def chosen(files):
@@ -20,20 +22,25 @@ def chosen(files):
     return [files[k] for k in sorted({round(k) for k in np.linspace(0, len(files) - 1, min(PANELS, len(files)))})]
 
 
+def nearest(centres, faces, count):
+    """The cells nearest to `count` places spread evenly over an axis."""
+    places = faces[0] + np.ptp(faces) * (np.arange(count) + 0.5) / count
+    return np.unique(np.abs(centres[:, None] - places).argmin(axis=0))
+
+
 def draw(axes, fields, name, limits):
     x, y = 100 * fields["x_faces"], 100 * fields["y_faces"]
     mesh = axes.pcolormesh(x, y, fields[name], cmap="viridis" if name == "solids_fraction" else "RdBu_r",
                            vmin=limits[0], vmax=limits[1], rasterized=True)
     centre_x, centre_y = (x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2
-    distance = max(np.ptp(x), np.ptp(y)) / ARROWS
-    at_x = np.unique(np.abs(centre_x[:, None] - np.arange(x[0] + distance / 2, x[-1], distance)).argmin(axis=0))
-    at_y = np.unique(np.abs(centre_y[:, None] - np.arange(y[0] + distance / 2, y[-1], distance)).argmin(axis=0))
-    velocity = np.where(fields["solids_fraction"][..., None] > 0.01, fields["velocity"], np.nan)[np.ix_(at_y, at_x)]
+    at_x, at_y = nearest(centre_x, x, ARROWS[0]), nearest(centre_y, y, ARROWS[1])
+    velocity = np.where(fields["solids_fraction"][..., None] > 0.05, fields["velocity"], np.nan)[np.ix_(at_y, at_x)]
     if np.nanmax(np.abs(velocity), initial=0) > 0:
         axes.quiver(centre_x[at_x], centre_y[at_y], velocity[..., 0], velocity[..., 1], color="white", width=0.012)
     axes.set_aspect("equal")
     axes.set_title(f"{1000 * fields['time']:.0f} ms")
     axes.set_xlabel("x [cm]")
+    axes.xaxis.set_major_locator(MaxNLocator(2, integer=True))
     return mesh
 
 

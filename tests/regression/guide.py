@@ -48,10 +48,8 @@ for name in ("step3", "step4"):
     flow = column(name, "discharge_rate" if name == "step3" else "flux_orifice")
     checks.true(f"{name}: grains flow out", np.all(flow[time > 0.1] > 0))
     checks.true(f"{name}: the mass falls", mass[-1] < mass[0])
-late = [np.interp(0.28, column(name, "time"), column(name, "mass")) - column(name, "mass")[-1] for name in ("step3", "step4")]
-checks.true("step3, step4: both lose mass at the end", min(late) > 0)
-checks.close("step4: mass of half, mirrored, against step3, at the start", column("step4", "mass")[0],
-             column("step3", "mass")[0], relative=1e-9)
+for name in ("step3", "step4"):  # 25 cm x 8 cm x 1 cm at 0.6 of 2500 kg/m3
+    checks.close(f"{name}: mass at the start [kg]", column(name, "mass")[0], 0.3, relative=1e-9)
 checks.true("step5: air above the orifice is thinned or squeezed", np.ptp(column("step5", "above_gas_pressure")) > 1)
 checks.true("step6: the bed rises", column("step6", "bed_height")[-1] > column("step6", "bed_height")[0])
 
