@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Writes the generated parts of the pages from what the program says of itself (scree -print_options, -help), and checks
-the tables of boundary kinds.
+"""Writes the generated parts of the pages from what the program says of itself (scree -print_options, -help), and
+checks the tables of boundary kinds.
 
     scripts/generate_pages.py            # writes
     scripts/generate_pages.py --check    # writes nothing; names what is not up to date, exit code 1
@@ -16,6 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = ("src/MODEL.md", "cases/OPTIONS.md", "cases/GUIDE.md")
+UNKNOWNS = ("", "nu", "v", "u", "T", "chi", "p_g")  # and what has no symbol
 BUILD = Path(os.environ.get("SCREE_BUILD_DIR", ROOT / "build"))
 
 
@@ -50,15 +51,21 @@ def groups(text):
     return found
 
 
+def escaped(text):
+    """A text whose <name> is no HTML, but for what stands in backquotes."""
+    return re.sub(r"`[^`]*`|<", lambda match: match[0] if len(match[0]) > 1 else "&lt;", text)
+
+
 def table(header, rows):
     return "\n".join(["| " + " | ".join(header) + " |", "|" + "---|" * len(header),
-                      *("| " + " | ".join(row) + " |" for row in rows)])
+                      *("| " + " | ".join(map(escaped, row)) + " |" for row in rows)])
 
 
 def symbols(options, _):
-    """Parameters with a symbol; those of sides, plates and regions repeat them."""
+    """Parameters with a symbol that are numbers; those of sides, plates and regions repeat them."""
     rows = [(f"`{o['symbol']}`", o["meaning"], f"`{o['option']}`", o["unit"], o["default"])
-            for o in options if o["symbol"] and "<name>" not in o["option"]]
+            for o in options
+            if o["symbol"] not in UNKNOWNS and o["allowed"] != "yes, no" and "<name>" not in o["option"]]
     return table(("symbol", "meaning", "option", "unit", "default"), rows)
 
 
@@ -67,7 +74,7 @@ def all_options(options, group_of):
     for group in dict.fromkeys(group_of[o["option"]] for o in options):
         rows = [(f"`{o['option']}`", o["unit"], o["default"], o["allowed"], o["meaning"])
                 for o in options if group_of[o["option"]] == group]
-        parts.append(f"### {group.replace('<', '&lt;')}\n\n" + table(("option", "unit", "default", "allowed", "meaning"), rows))
+        parts.append(f"### {escaped(group)}\n\n" + table(("option", "unit", "default", "allowed", "meaning"), rows))
     return "\n\n".join(parts)
 
 
@@ -80,7 +87,8 @@ def kind_problems(name, text, options):
     for table_name, body in re.findall(r"<!-- kinds: (\w+) -->\n(.*?)<!-- end -->", text, re.S):
         found = [cells(row)[0].strip("`") for row in body.splitlines() if row.startswith("| `")]
         if sorted(found) != sorted(allowed):
-            yield f"{name}: the table of kinds '{table_name}' has {', '.join(found)}; the program has {', '.join(allowed)}"
+            yield (f"{name}: the table of kinds '{table_name}' has {', '.join(found)}; "
+                   f"the program has {', '.join(allowed)}")
 
 
 def filled(text, options, group_of):

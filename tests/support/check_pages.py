@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Checks the pages: sentences of at most 25 words, a zero before the decimal point, links to files and headings that
-exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences.
+exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences. Pages that sources
+name, in comments or elsewhere, exist too.
 
 Usage: check_pages.py [--figures] [SOURCE_DIRECTORY]     (default: the checkout that this file is in)
 
@@ -14,10 +15,15 @@ MOST_WORDS = 25
 #: Written by scripts from what tests measured: their links are checked, their texts are those of the tests.
 MEASURED = ("tests/results/", "tests/benchmark/")
 
+#: Pages that scripts write into their output.
+WRITTEN = ("choice.md", "numbers.md")
+SOURCES = ("*.hpp", "*.cpp", "*.py", "*.sh", "*.yaml", "*.txt", "*Dockerfile", ".ci/run")
+
 FENCE = re.compile(r"^ {0,3}(```|~~~)")
 GENERATED = re.compile(r"^<!-- generated: .*-->$")
 GENERATED_END = "<!-- end -->"
 ABBREVIATIONS = re.compile(r"\b(?:e\.g|i\.e|etc|vs|Figs?|al|No|Technol)\.(?=\s)")
+CITED = re.compile(r"\w[\w./-]*\.md\b")
 BARE_DECIMAL = re.compile(r"(?<![\w.)])\.\d")
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 
@@ -114,17 +120,30 @@ def language_problems(text):
     for line in prose(text):
         bare = BARE_DECIMAL.search(re.sub(r"`[^`]*`", "", line.text))
         if bare:
-            yield line.number, f"a zero belongs before the point: {line.text[max(0, bare.start() - 10):bare.end() + 10]}"
+            around = line.text[max(0, bare.start() - 10):bare.end() + 10]
+            yield line.number, f"a zero belongs before the point: {around}"
 
 
-def pages(root):
-    """The tracked pages; where this is no git checkout, those beneath the folders of the repository."""
+def citation_problems(root, names):
+    """Pages that a source names although the repository has none of that name."""
+    for path in files(root, *SOURCES):
+        if path == Path(__file__).resolve():
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            for cited in CITED.findall(line):
+                if Path(cited).name not in WRITTEN and not any(f"/{name}".endswith(f"/{cited}") for name in names):
+                    yield f"{path.relative_to(root)}:{number}: names {cited}, which is not in the repository"
+
+
+def files(root, *patterns):
+    """The tracked files; where this is no git checkout, those beneath the folders of the repository."""
     try:
-        git = subprocess.run(["git", "-C", root, "ls-files", "*.md"], capture_output=True, text=True, check=True)
+        git = subprocess.run(["git", "-C", root, "ls-files", *patterns], capture_output=True, text=True, check=True)
         return [root / line for line in git.stdout.splitlines() if (root / line).exists()]
     except (OSError, subprocess.CalledProcessError):
-        folders = ("cases", "src", "tests", "scripts", "docker")
-        return [*root.glob("*.md"), *(page for folder in folders for page in sorted((root / folder).rglob("*.md")))]
+        places = (root / folder for folder in ("cases", "src", "include", "tests", "scripts", "docker"))
+        below = [place.rglob(Path(pattern).name) for place in places for pattern in patterns]
+        return sorted({*(path for found in below for path in found), *(p for q in patterns for p in root.glob(q))})
 
 
 def measured(name):
@@ -141,7 +160,9 @@ def main():
     arguments = [argument for argument in arguments if argument != "--figures"]
     root = Path(arguments[0] if arguments else Path(__file__).parents[2]).resolve()
     problems = []
-    for path in pages(root):
+    pages = files(root, "*.md")
+    problems += citation_problems(root, [str(page.relative_to(root)) for page in pages])
+    for path in pages:
         name, text = str(path.relative_to(root)), path.read_text()
         if name.endswith("/page.md"):  # a form that a script fills in
             continue
