@@ -5,7 +5,7 @@ name, in comments or elsewhere, exist too.
 
 Usage: check_pages.py [--figures] [SOURCE_DIRECTORY]     (default: the checkout that this file is in)
 
---figures prints for each page its sentences, their mean and their greatest length in words."""
+--figures prints for each page the sentences outside of tables, their mean and their greatest length in words."""
 import re
 import subprocess
 import sys
@@ -23,6 +23,8 @@ FENCE = re.compile(r"^ {0,3}(```|~~~)")
 GENERATED = re.compile(r"^<!-- generated: .*-->$")
 GENERATED_END = "<!-- end -->"
 ABBREVIATIONS = re.compile(r"\b(?:e\.g|i\.e|etc|vs|Figs?|al|No|Technol)\.(?=\s)")
+#: In $...$ Markdown takes these for its own; in $`...`$ they are safe.
+UNSAFE_MATHS = re.compile(r"\$[^$`]*(?:\\[,;:!{}|%#]|\*)[^$`]*\$")
 CITED = re.compile(r"\w[\w./-]*\.md\b")
 BARE_DECIMAL = re.compile(r"(?<![\w.)])\.\d")
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
@@ -78,9 +80,10 @@ def pieces(lines):
             parts.append(re.sub(r"^(?:[-*>]|\d+\.) ", "", text))
 
 
-def sentences(text):
-    """(number, words) of the sentences of a page."""
-    for number, piece in pieces(prose(text)):
+def sentences(text, tables=True):
+    """(number, words) of the sentences of a page, without its tables if they are not wanted."""
+    lines = (line for line in prose(text) if tables or not line.text.startswith("|"))
+    for number, piece in pieces(lines):
         for sentence in re.split(r"(?<=[.!?])\s+", plain(piece)):
             words = [word for word in sentence.split() if re.search(r"\w", word)]
             if words:
@@ -135,6 +138,13 @@ def citation_problems(root, names):
                     yield f"{path.relative_to(root)}:{number}: names {cited}, which is not in the repository"
 
 
+def maths_problems(text):
+    for line in prose(text):
+        unsafe = UNSAFE_MATHS.search(line.text)
+        if unsafe:
+            yield line.number, f"write {unsafe[0]} as $`...`$, or Markdown changes it"
+
+
 def files(root, *patterns):
     """The tracked files; where this is no git checkout, those beneath the folders of the repository."""
     try:
@@ -168,10 +178,10 @@ def main():
             continue
         found = list(link_problems(root, path, text))
         if not measured(name):
-            found += language_problems(text)
+            found += [*language_problems(text), *maths_problems(text)]
         problems += [f"{name}:{number}: {problem}" for number, problem in sorted(found)]
         if figures:
-            lengths = [len(words) for _, words in sentences(text)]
+            lengths = [len(words) for _, words in sentences(text, tables=False)]
             print(f"{name}: {len(lengths)} sentences, mean {sum(lengths) / max(len(lengths), 1):.1f}, "
                   f"longest {max(lengths, default=0)}")
     print("\n".join(problems) or "The pages are in order.")
