@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes tests/README.md, the page of what the tests measured, from what they left in a build directory: checks.json of
+"""Writes tests/results/, the pages of what the tests measured, from what they left in a build directory: checks.json of
 the scripts (tests/support/scree_program.py) and order_*.json of the manufactured solutions. Hand-written notes come
-from tests/notes.md."""
+from tests/results/notes.md."""
 import argparse
 import json
 import re
@@ -13,18 +13,25 @@ ROOT = Path(__file__).resolve().parents[1]
 LABELS = ("verification", "stability", "manufactured", "robustness")
 
 INTRODUCTION = """\
-# Tests, as last measured
+# Results of the tests
 
-    scripts/test.sh -L verification          # one label; build, run
-    scripts/test_report.py --run             # runs {labels}, writes this page
-    scripts/test_report.py --also out/long   # adds runs made elsewhere, such as long ones
+Written by `scripts/test_report.py` from the last run of {labels}. [tests](../README.md) says what the ids mean and how
+to run them, [VERIFICATION.md](../VERIFICATION.md) has the problems and their exact solutions.
 
-`tests/<label>/NAME.py` runs cases through the program and checks numbers; T1 ... are exact solutions, H1 ... hard
-cases, R1 ... robustness. Reference values come from closed forms, quadrature, root finding or collocation that know the
-model's equations but not the program (`tests/support/closures.py`). A check that does not hold is a miss and stands
-here first. Numbers have three digits; `off by` is measured less exact. Checks alike in all runs of a script are one
-line, with the worst. Explanations are in `tests/notes.md` and repeated below.
+A check that does not hold is a miss and stands here first. Numbers have three digits; `off by` is measured less exact.
+Checks alike in all runs of a script are one line, with the worst. Explanations come from `tests/results/notes.md`.
+
+| page | what |
+|---|---|
+{pages}
 """
+#: Page -> its title, the letter of its ids, what it has.
+PAGES = {
+    "orders.md": ("Order of accuracy", None, "order in space and time for each unknown, manufactured solutions (T19)"),
+    "exact.md": ("Exact solutions", "T", "exact and semi-analytic solutions (T1 to T20)"),
+    "hard.md": ("Hard cases", "H", "hard cases (H1 to H20)"),
+    "robustness.md": ("Robustness", "R", "what the program stands (R1 to R7)"),
+}
 
 
 def main():
@@ -32,7 +39,7 @@ def main():
     parser.add_argument("--build", type=Path, default=ROOT / "build", help="build directory (build)")
     parser.add_argument("--run", action="store_true", help="run the tests first")
     parser.add_argument("--also", type=Path, action="append", default=[], help="further directory of results")
-    parser.add_argument("--output", type=Path, default=ROOT / "tests" / "README.md")
+    parser.add_argument("--output", type=Path, default=ROOT / "tests" / "results", help="directory of the pages")
     given = parser.parse_args()
     if given.run:  # misses are for the page to show
         subprocess.run(["ctest", "--test-dir", given.build, "-L", f"^({'|'.join(LABELS)})$", "--output-on-failure"],
@@ -41,7 +48,9 @@ def main():
     orders = order_tables([given.build / "tests", *given.also])
     if not records and not orders:
         sys.exit(f"no results below {given.build}/tests")
-    given.output.write_text(page(records, orders, missing(records), notes(ROOT / "tests" / "notes.md")))
+    given.output.mkdir(parents=True, exist_ok=True)
+    for name, text in pages(records, orders, missing(records), notes(ROOT / "tests" / "results" / "notes.md")).items():
+        (given.output / name).write_text(text)
     print(f"wrote {given.output}: {len(records)} scripts, {len(orders)} order tables")
 
 
@@ -139,25 +148,26 @@ def table(head, rows):
 # ---- the page ----
 
 
-def page(records, orders, absent, sections):
-    exact = [record for record in records if kind(record) == "T"]
-    hard = [record for record in records if kind(record) == "H"]
-    robust = [record for record in records if kind(record) == "R"]
-    parts = [INTRODUCTION.format(labels=", ".join(LABELS)), misses(records, orders, absent)]
-    for title, text, letter in (("Order of accuracy", order_section(orders), None),
-                                ("Exact solutions", check_section(exact), "T"),
-                                ("Hard cases", hard_section(records, hard, "H"), "H"),
-                                ("Robustness", hard_section(records, robust, "R"), "R")):
-        remarks = {name: text for name, text in sections.items()
-                   if (re.match(r"[THR]\d", name) and name[0] or None) == letter}
-        if text or remarks:
-            parts.append(f"## {title}\n")
-            parts.append(text)
-            if remarks:
-                parts.append("### Misses and explanations\n" if letter else "### Explanations\n")
-                order = sorted(remarks, key=lambda name: id_key([name]))
-                parts += [f"#### {name}\n\n{remarks[name]}\n" for name in order]
-    return "\n".join(part for part in parts if part)
+def pages(records, orders, absent, sections):
+    """Name of a page -> its text."""
+    own = {letter: [record for record in records if kind(record) == letter] for letter in "THR"}
+    texts = {None: order_section(orders), "T": check_section(own["T"]),
+             "H": hard_section(records, own["H"], "H"), "R": hard_section(records, own["R"], "R")}
+    links = "\n".join(f"| [{name}]({name}) | {what} |" for name, (_, _, what) in PAGES.items())
+    result = {"README.md": INTRODUCTION.format(labels=", ".join(LABELS), pages=links) + "\n"
+              + misses(records, orders, absent)}
+    for name, (title, letter, _) in PAGES.items():
+        result[name] = f"# {title}\n\n{texts[letter]}" + remarks(sections, letter)
+    return result
+
+
+def remarks(sections, letter):
+    """The hand-written notes that belong to a page, by the letter of their ids."""
+    own = {name: text for name, text in sections.items() if (re.match(r"[THR]\d", name) and name[0] or None) == letter}
+    if not own:
+        return ""
+    order = sorted(own, key=lambda name: id_key([name]))
+    return "\n## Explanations\n\n" + "\n".join(f"### {name}\n\n{own[name]}\n" for name in order)
 
 
 def misses(records, orders, absent):
@@ -219,7 +229,7 @@ def check_section(records):
         failed = sum(not check["good"] for check in record["checks"])
         total = len(record["checks"])
         count = f"{failed} of {total} checks missed" if failed else f"{total} checks hold"
-        parts.append(f"### {', '.join(record['ids']) or record['script']}: {record['title']}\n\n"
+        parts.append(f"## {', '.join(record['ids']) or record['script']}: {record['title']}\n\n"
                      f"`{record['script']}.py`, {count}.\n")
         parts.append(table(["quantity", "measured", "exact or bound"], merged(record["checks"])))
     return "\n".join(parts)

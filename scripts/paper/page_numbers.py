@@ -3,7 +3,7 @@
 nothing: what is not there says so.
 
     scripts/paper/page_numbers.py          # OUT/numbers.md, OUT/numbers.csv
-    scripts/paper/page_numbers.py --page   # and cases/README.md from scripts/paper/page.md, pictures into cases/paper/
+    scripts/paper/page_numbers.py --page   # and cases/paper/README.md from scripts/paper/page.md, with its pictures
 
 In page.md {{figure_04.plateau}} stands for a number on the paper's grid, {{figure_04.plateau:half}} for one on another
 grid, {{figure_04.plateau:limit}} for the extrapolated one with its uncertainty, {{figure_04.plateau:order}} for its
@@ -163,7 +163,7 @@ def filled(numbers, text):
 def take_pictures(page, out):
     """Copies the pictures that the page shows; those not drawn yet stay as they are."""
     PICTURES.mkdir(exist_ok=True)
-    for name in dict.fromkeys(re.findall(r"\(paper/([\w.]+\.png)\)", page)):
+    for name in dict.fromkeys(re.findall(r"\(([\w.]+\.png)\)", page)):
         if not (out / name).exists():
             print(f"  {out / name} is not there")
         elif (out / name).stat().st_size > PICTURE_BYTES:
@@ -173,7 +173,7 @@ def take_pictures(page, out):
 
 
 def main():
-    page = ("--page", dict(action="store_true", help="write cases/README.md too"))
+    page = ("--page", dict(action="store_true", help="write cases/paper/README.md too"))
     given = paper_runs.arguments(__doc__, more=[page])
     values = paper_quantities.Values(given.runs, given.out)
     numbers = Numbers(values, given.grid)
@@ -186,8 +186,8 @@ def main():
     if given.page:
         page, missing = filled(numbers, PAGE.read_text())
         take_pictures(page, given.out)
-        (paper_runs.CASES / "README.md").write_text(page)
-        print(f"  {paper_runs.CASES / 'README.md'}" + (f": {missing} numbers not run" if missing else ""))
+        (PICTURES / "README.md").write_text(page)
+        print(f"  {PICTURES / 'README.md'}" + (f": {missing} numbers not run" if missing else ""))
 
 
 if __name__ == "__main__":

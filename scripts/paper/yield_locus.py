@@ -1,6 +1,6 @@
 """The yield locus (14), (15) of the frictional stress in plane principal stresses, and p_c of (18); Table 2, cgs units.
 
-This is the paper's form. The program rounds n of (14) between its branches over a stated width of div v (README.md)."""
+This is the paper's form. The program rounds n of (14) between its branches over a stated width of div v (src/MODEL.md)."""
 import numpy as np
 
 SIN_PHI = np.sin(np.radians(28.5))

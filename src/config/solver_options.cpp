@@ -12,7 +12,8 @@ void declare_solver(OptionSet& o, Case& scene) {
                 {"multigrid", SolverPreset::multigrid},
                 {"fieldsplit", SolverPreset::fieldsplit}},
                "named set of PETSc options for the linear systems")
-          .default_from("ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see README.md")
+          .default_from(
+              "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")
           .given;
   o.boolean("solver_extrapolate", scene.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", scene.solver.view, "print the PETSc options that the preset stands for");

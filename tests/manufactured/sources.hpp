@@ -1,5 +1,5 @@
-/// Left-hand sides of all balances at a point of an exact solution: the strong form of model.md, written here once more
-/// and without a grid. Closures are those of the program, which have tests of their own.
+/// Left-hand sides of all balances at a point of an exact solution: the strong form of src/MODEL.md, written here once
+/// more and without a grid. Closures are those of the program, which have tests of their own.
 #pragma once
 
 #include "exact_fields.hpp"

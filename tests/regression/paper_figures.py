@@ -142,7 +142,7 @@ for name, value in found.items():
 
 numbers = page_numbers.Numbers(paper_quantities.Values(paper_runs.Runs(OUT), OUT), "coarse")
 page, missing = page_numbers.filled(numbers, page_numbers.PAGE.read_text())
-checks.true("cases/README.md: a number for every place", "{{" not in page)
+checks.true("cases/paper/README.md: a number for every place", "{{" not in page)
 checks.true("what has not run is told", missing > 0)
 checks.close("its rate at 0.05 s [g/s]", float(numbers.named("convergence.rate_at_0.05")),
              found["figure_04: rate at 0.05 s, τ = 10⁻³ s [g/s]"], absolute=0.051)

@@ -12,7 +12,7 @@ TINY = {"grid_x_cells": "1, 3", "grid_y_cells": "1, 8", "time_step_adaptive": "n
 program, checks = Program(), Checks("variants of the model")
 for (friction, temperature), count in UNKNOWNS.items():
     name = f"{friction}_{temperature}"
-    # Where nothing shears, algebraic T is 0 and friction rigid: README.md asks for this floor then.
+    # Where nothing shears, algebraic T is 0 and friction rigid: cases/GUIDE.md asks for this floor then.
     floor = {"friction_strain_rate_floor": 1} if temperature == "algebraic" else {}
     run = program.run("small_bin.yaml", name, {"friction_model": friction, "granular_temperature": temperature,
                                                "end_time": 0.005, **floor})

@@ -33,7 +33,7 @@ for start in (1e-12, 0):
             checks.below(f"{name}: greatest T ever [m2/s2]", monitor["granular_temperature_max"].max(), start + bound**2)
 
 # At given steps only the floors tell the runs apart. How far T may fall is not checked: where friction holds a cell rigid
-# nothing feeds it, and in some runs it falls to nothing (tests/notes.md).
+# nothing feeds it, and in some runs it falls to nothing (tests/results/notes.md).
 for friction in ("critical_state", "relaxed"):
     for start in (1e-8, 1e-12, 0):
         left, worked = [], []

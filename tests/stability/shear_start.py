@@ -19,7 +19,7 @@ def factors(nu):
 
 program, checks = Program(), Checks("shear starts at nu = .64", "H7")
 fmu, fJ = factors(0.6)
-checks.close("reference fmu at .6, verification.md section 1", fmu, 17.4033844, relative=1e-8)
+checks.close("reference fmu at .6, tests/VERIFICATION.md section 1", fmu, 17.4033844, relative=1e-8)
 checks.close("reference fJ at .6", fJ, 15.9134731, relative=1e-8)
 fmu, fJ = factors(NU)
 T2 = fmu / fJ * (D * GDOT) ** 2

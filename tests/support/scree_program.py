@@ -88,7 +88,7 @@ class Checks:
     """Counts what failed; each check prints its case, what was measured, what was expected, and the tolerance.
 
     `ids` are those of the exact solutions (T1 ...) and hard cases (H1 ...) that the script tests. The verdict leaves
-    checks.json in the work directory of the Program, from which scripts/test_report.py makes tests/README.md."""
+    checks.json in the work directory of the Program, from which scripts/test_report.py makes tests/results/."""
 
     directory = None  # where checks.json goes; set by Program
 

@@ -5,7 +5,7 @@ from scipy.optimize import brentq
 from scree_program import EXACT, Checks, Program, centres, norm
 
 RHO, D, T, H, SIN_PHI = 2900.0, 1e-3, 1e-4, 0.02, np.sin(np.radians(28.5))
-# nu: shear factor fmu, p_c [Pa] (verification.md section 1), pull [m/s2]: up to .9 of the yield stress for friction
+# nu: shear factor fmu, p_c [Pa] (tests/VERIFICATION.md, 1), pull [m/s2]: up to .9 of the yield stress for friction
 CASES = {0.3: (0.618722687, 0.0, 0.02), 0.55: (7.20974569, 12.5, 0.15)}
 
 

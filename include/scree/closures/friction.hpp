@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// The four frictional models of the paper, see model.md section 4.
+/// The four frictional models of the paper, see src/MODEL.md, section 4.
 enum class FrictionModel { none, critical_state, instantaneous, relaxed };
 
 /// Parameters of the frictional closures (SI units).
@@ -105,7 +105,7 @@ Number chi_star_base(const Number& div_v, const Number& gamma, const FrictionPar
 }
 
 /// Scaled frictional pressure in steady state, chi*, eq. (21)/(24) [-], gamma from fluctuating_strain_rate.
-/// Exponent n-1 follows from (13) on (14); the scan prints 1/(n-1), see model.md.
+/// Exponent n-1 follows from (13) on (14); the scan prints 1/(n-1), see src/MODEL.md.
 /// Dilation clips at 0, compaction stays below (n/(n-1))^(n-1); both clips are rounded, see the widths above.
 template <class Number>
 Number chi_star(const Number& div_v, const Number& gamma, const FrictionParameters& p) {

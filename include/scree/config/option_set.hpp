@@ -57,7 +57,7 @@ struct OptionEntry {
   std::string allowed;         ///< range, choices, or the form of a text
   std::string default_value;   ///< as text
   std::string value;           ///< the effective value as YAML; empty: nothing to write
-  std::string symbol_;         ///< in model.md
+  std::string symbol_;         ///< in src/MODEL.md
   std::string unused_because;  ///< why this scene does not use it; empty: it does
   bool given = false;
   bool needed = false;

@@ -25,7 +25,7 @@ double bisect(const Function& f, double lower, double upper) {
   return lower;
 }
 
-TEST(Drag, ZeroSlip) {  // verification.md section 1, g/(cm3 s)
+TEST(Drag, ZeroSlip) {  // tests/VERIFICATION.md section 1, g/(cm3 s)
   EXPECT_NEAR(drag_coefficient(.6, 0.0, 1e-3, gas), 2204, .5);
   EXPECT_NEAR(drag_coefficient(.6, 0.0, 1e-4, gas), 220.4e3, 50);
   const double exact = 18 * gas.mu_g / 1e-8 * .6 * std::pow(.4, -2.65);

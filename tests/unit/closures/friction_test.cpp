@@ -44,7 +44,7 @@ TEST(Friction, DefaultExponentOfDilation) {
   EXPECT_NEAR(FrictionParameters{}.n_dilation, std::sqrt(3.0) / (2 * sin_phi), 1e-12);
 }
 
-/// verification.md section 1, recomputed with 40 digits; cgs.
+/// tests/VERIFICATION.md section 1, recomputed with 40 digits; cgs.
 struct PressureRow {
   double nu, p_c, wave_speed;
 };

@@ -14,7 +14,8 @@ namespace {
 
 const KineticParameters p;  // Table 2, d = 1 mm, e_p = .91
 
-/// shared/verification.md section 1, recomputed from model.md with 40 digits (mpmath); fb = eta mu_b/(rho_s d sqrt(T)).
+/// tests/VERIFICATION.md section 1, recomputed from src/MODEL.md with 40 digits (mpmath); fb = eta mu_b/(rho_s d
+/// sqrt(T)).
 struct TableRow {
   double nu, g0, fmu, fJ, fk, fp, steady_T, fb;
 };
@@ -61,7 +62,7 @@ TEST(Kinetic, RadialDistributionDoesNotCancelNearPacking) {
   EXPECT_EQ(radial_distribution(p.nu_max + 1e-6, p), std::numeric_limits<double>::infinity());
 }
 
-// verification.md section 1 and T2: simple shear at rate gdot, S:S = gdot^2/2.
+// tests/VERIFICATION.md section 1 and T2: simple shear at rate gdot, S:S = gdot^2/2.
 TEST(KineticAlgebraic, SteadySimpleShear) {
   const double rate = 10;
   for (const TableRow& row : table) {

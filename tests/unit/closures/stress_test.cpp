@@ -24,7 +24,7 @@ SolidsParameters with_models(FrictionModel friction, TemperatureModel temperatur
   return p;
 }
 
-/// model.md (1.1), (1.4), (14), (18), (20), (21) evaluated apart with 40 digits (mpmath), without floors.
+/// src/MODEL.md (1.1), (1.4), (14), (18), (20), (21) evaluated apart with 40 digits (mpmath), without floors.
 struct CellRow {
   FrictionModel model;
   double nu, T, chi, div_v, S_S, pressure, viscosity, energy_source, chi_star, p_f, mu_f;

@@ -316,7 +316,7 @@ TEST(Percolation, BedFloatsWhereGasCarriesItsWeight) {
 
 // ---- uniform shear ----
 
-struct Matched {  // T7 of verification.md, cgs there
+struct Matched {  // T7 of tests/VERIFICATION.md, cgs there
   double nu = 0.3, T = 1e-4, d = 1e-3, e_w = 0.91, gdot = 8.632049, slip = 0.889454e-2, specularity = 0.325927;
 };
 
