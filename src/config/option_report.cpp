@@ -25,7 +25,8 @@ const char* const introduction = R"(scree [case.yaml] [-option value ...]
 A case file is YAML; nested keys join with '_', so `friction: {tau: 1 ms}` is -friction_tau "1 ms". The command line wins.
 A number without a unit is SI; numbers with units are converted ("1.4 cm", "28.5 deg", "0.5 dyn/cm^2", "40 %").
 Names under `define:` stand for values anywhere: `define: {width: 1.4 cm}`, then "${width}/2"; -width "2 cm" overrides.
-Lists are YAML lists or comma lists. <name> is any name you choose. PETSc's own options (-ts_..., -snes_...) pass.
+Lists are YAML lists or comma lists. <name> is any name you choose. PETSc's own options (-ts_..., -snes_...) pass; in
+a case file they stand under `petsc:`. Files of overrides follow the case file: -options_file_yaml MORE.yaml.
 )";
 
 }  // namespace

@@ -88,6 +88,12 @@ struct OutputParameters {
   bool overwrite = false;            ///< allow a directory that already holds a run
 };
 
+/// An option that is PETSc's to understand.
+struct PetscOption {
+  std::string key, value;  ///< without '-'; an empty value is none
+  bool on_command_line = false;
+};
+
 struct SolverParameters {
   SolverPreset preset = SolverPreset::ilu;
   bool preset_given = false;  ///< one that was not may change on the way
@@ -114,8 +120,8 @@ struct Case {
   double scale_velocity = 0;               ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
   bool check_only = false;                 ///< nothing is to be run
   std::string effective_yaml;              ///< the case as understood, as a case file that reruns it
-  std::vector<std::string> petsc_options;  ///< keys given that are PETSc's to know
-  std::vector<std::string> remarks;        ///< for the log: one line for each key that this scene does not use
+  std::vector<PetscOption> petsc_options;  ///< what PETSc is to know
+  std::vector<std::string> remarks;        ///< for the log: a line for what is not used, odd or has a former name
 };
 
 }  // namespace scree
