@@ -14,9 +14,10 @@ packages=(
   build-essential cmake ninja-build pkg-config
   openmpi-bin libopenmpi-dev
   petsc-dev libpetsc-real-dev slepc-dev libslepc-real3.18-dev libhypre-dev libmetis-dev libopenblas0-serial
-  libhdf5-openmpi-dev libudunits2-dev nlohmann-json3-dev
+  libhdf5-openmpi-dev libudunits2-dev libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3-numpy python3-scipy python3-matplotlib python3-h5py python3-xarray python3-pandas python3-yaml python3-pil
+  python3-jsonschema
 )
 
 list_only=false

@@ -59,7 +59,8 @@ std::vector<Quantity> Measures::quantities(Vec state) const {
   add("speed_max_weighted", "m/s", "square root of the greatest nu v^2/nu_max of a cell: v where particles are",
       [&] { return moving.speed; });
   if (has_gas_velocity_)
-    add("gas_speed_max", "m/s", "greatest component of u at any face", [&] { return greatest_speed(state, GasMomentum::unknown); });
+    add("gas_speed_max", "m/s", "greatest component of u at any face",
+        [&] { return greatest_speed(state, GasMomentum::unknown); });
   add("kinetic_energy", "J", "sum of rho_s nu v^2/2", [&] { return moving.kinetic * mass_per_volume_; });
   if (has_temperature()) {
     add("fluctuation_energy", "J", "sum of 3/2 rho_s nu T", [&] { return moving.fluctuation * mass_per_volume_; });
@@ -89,9 +90,7 @@ std::vector<Quantity> Measures::quantities(Vec state) const {
   return list;
 }
 
-bool Measures::has_temperature() const {
-  return T_ >= 0 || scene_.model.temperature == TemperatureModel::algebraic;
-}
+bool Measures::has_temperature() const { return T_ >= 0 || scene_.model.temperature == TemperatureModel::algebraic; }
 
 Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& derived) const {
   const Lattice& grid = problem_.lattice();
@@ -117,7 +116,7 @@ Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& deriv
     double T_cell = 0;
     if (T_ >= 0) T_cell = value(fields[static_cast<std::size_t>(T_)], I);
     if (T != entries.end())
-        T_cell = derived[static_cast<std::size_t>(T - entries.begin())].values[static_cast<std::size_t>(grid.owned(I))];
+      T_cell = derived[static_cast<std::size_t>(T - entries.begin())].values[static_cast<std::size_t>(grid.owned(I))];
     sums[0] += grid.volume(I) * 0.5 * nu * v_squared;
     sums[1] += grid.volume(I) * 1.5 * nu * T_cell;
     greatest[0] = std::max(greatest[0], nu * v_squared / scene_.kinetic.nu_max);

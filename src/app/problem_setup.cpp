@@ -5,8 +5,6 @@
 #include <limits>
 
 #include "scree/balances/layout.hpp"
-#include "scree/model/derived_fields.hpp"
-#include "scree/output/probes.hpp"
 
 namespace scree {
 
@@ -18,8 +16,7 @@ bool has_particles(const Case& scene) {
     return s.condition.kind.brings_solids() && s.condition.brought(SolidsContinuity::unknown) > 0;
   };
   const auto holds = [](const InitialRegion& r) {
-    const InitialValue* nu = r.find(SolidsContinuity::unknown);
-    return (nu && nu->value[0] > 0) || !r.table.empty() || r.profile != InitialRegion::Profile::uniform;
+    return r.has_own_solids_fraction() || r.uniform_solids_fraction() > 0;
   };
   return scene.gas.model == GasModel::none || std::any_of(scene.segments.begin(), scene.segments.end(), brings) ||
          std::any_of(scene.initial.begin(), scene.initial.end(), holds);
@@ -58,13 +55,6 @@ ProblemSetup problem_setup(const Case& scene, const ModelFactory& models) {
   }
   setup.scales = scales_of(scene);
   return setup;
-}
-
-void check_sampling(const Case& scene, const ModelFactory& models) {
-  const ProblemSetup setup = problem_setup(scene, models);
-  const std::vector<Field> fields = models.fields(setup.box.dim, setup.model, setup.solids, setup.scales);
-  for (const Probe& probe : scene.probes) select_fields(fields, probe.fields, "probe " + probe.name);
-  for (const Line& line : scene.lines) select_fields(fields, line.fields, "line " + line.name);
 }
 
 }  // namespace scree

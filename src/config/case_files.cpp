@@ -3,43 +3,48 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "scree/config/input_error.hpp"
 
 namespace scree {
-
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that `file` names under a top-level key `based_on`, as a path; empty if there is none.
-std::string base_of(const std::string& file) {
-  const std::string key = "based_on:";
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.compare(0, key.size(), key) != 0) continue;
-    const auto first = line.find_first_not_of(" \t\"'", key.size());
-    if (first == std::string::npos || line[first] == '#' || line[first] == '\r') return "";
-    const auto last = line.find_first_of(" \t\"'#\r", first);
-    return fs::path(file).parent_path() / line.substr(first, last - first);
-  }
-  return "";
+/// The entry `based_on` of a file; null if it has none, or one without a value.
+const YamlEntry* base_entry(const CaseFile& file) {
+  const auto found = std::find_if(file.entries.begin(), file.entries.end(), [](const YamlEntry& entry) {
+    return entry.path.size() == 1 && entry.path[0] == "based_on" && !entry.text.empty();
+  });
+  return found == file.entries.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::vector<std::string> case_files(const std::string& file) {
-  std::vector<std::string> chain, seen;
-  for (std::string next = file; !next.empty(); next = base_of(next)) {
+CaseFile read_case_file(const std::string& name, const std::string& why) {
+  std::error_code error;
+  std::ifstream in(name);
+  if (fs::is_directory(name, error) || !in)
+    throw InputError("case file", name, "a readable YAML file" + (why.empty() ? "" : ", for " + why));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return {name, yaml_entries(text, name)};
+}
+
+std::vector<CaseFile> case_files(const std::string& file) {
+  std::vector<CaseFile> chain;
+  std::vector<std::string> seen;
+  std::string next = file, why;
+  while (!next.empty()) {
     std::error_code error;
-    if (fs::is_directory(next, error) || !std::ifstream(next))
-      throw InputError("case file", next,
-                       next == file ? "a readable YAML file" : "a readable YAML file, for it is a based_on");
     const std::string place = fs::weakly_canonical(next, error).string();
     if (std::find(seen.begin(), seen.end(), place) != seen.end())
       throw InputError("based_on", next, "files that do not refer to each other in a circle");
     seen.push_back(place);
-    chain.insert(chain.begin(), next);
+    chain.insert(chain.begin(), read_case_file(next, why));
+    const YamlEntry* base = base_entry(chain.front());
+    why = base ? "it is the based_on of " + base->place : "";
+    next = base ? (fs::path(next).parent_path() / base->text).string() : "";
   }
   return chain;
 }

@@ -176,6 +176,7 @@ void check_case(Case& scene) {
     check_region(scene, region);
     if (!region.table.empty()) read_table(scene, region);
   }
+  check_ways_out(scene);
   check_output(scene);
 }
 

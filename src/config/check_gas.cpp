@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <set>
 
 #include "scree/config/case_options.hpp"
 #include "scree/config/side_samples.hpp"
@@ -41,77 +40,10 @@ void check_condition(const Case& scene, const Segment& segment) {
                      "an axis along the side " + side_name(segment.axis, segment.upper) + ", not the one normal to it");
 }
 
-bool brings_gas_at(const Segment& segment, double time) {
-  const Condition& condition = segment.condition;
-  if (!condition.kind.brings_gas()) return false;
-  const std::vector<double>& factors = condition.gas_profile.factor;
-  const bool profile =
-      factors.empty() || std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; });
-  return profile && condition.gas_velocity != 0 && condition.gas_history.value(time) != 0;
-}
-
-/// Particles that come in displace as much gas.
-bool brings_particles(const Segment& segment) {
-  const Condition& condition = segment.condition;
-  return condition.kind.brings_solids() && condition.brought(SolidsContinuity::unknown) != 0 &&
-         condition.velocity[segment.axis] != 0;
-}
-
-/// The segments that hold somewhere on the sides at a time.
-std::vector<const Segment*> all_holding(const Box& box, const std::vector<std::vector<Segment>>& sides, double time) {
-  std::vector<const Segment*> found;
-  for (const std::vector<Segment>& side : sides) {
-    if (side.empty()) continue;
-    for (const auto& point : side_samples(box, side[0].axis, side)) {
-      if (const Segment* segment = holding(side, point, box.dim, time)) found.push_back(segment);
-    }
-  }
-  return found;
-}
-
-/// Adds the times of a history, and those at which it passes zero, so that in between it is zero always or never.
-void add_cuts(const Ramp& history, std::set<double>& cuts) {
-  const auto& [at, factor] = history;
-  cuts.insert(at.begin(), at.end());
-  for (std::size_t i = 1; i < at.size(); ++i) {
-    if (factor[i - 1] * factor[i] < 0)
-      cuts.insert(at[i - 1] + (at[i] - at[i - 1]) * factor[i - 1] / (factor[i - 1] - factor[i]));
-  }
-}
-
-/// Neither gas nor particles can be compressed: what comes in needs an open side at all times.
-void check_way_out(const Case& scene) {
-  std::set<double> cuts;
-  std::vector<std::vector<Segment>> sides;
-  for (int axis = 0; axis < scene.box.dim; ++axis) {
-    for (const bool upper : {false, true}) sides.push_back(segments_of_side(scene.segments, axis, upper));
-  }
-  for (const Segment& segment : scene.segments) {
-    const Condition& condition = segment.condition;
-    cuts.insert({condition.from, condition.until});
-    add_cuts(condition.gas_history, cuts);
-  }
-  for (const double time : middles(cuts, 0.0, scene.time.end_time > 0 ? scene.time.end_time : 1.0)) {
-    const std::vector<const Segment*> present = all_holding(scene.box, sides, time);
-    const auto is_open = [](const Segment* s) { return s->condition.kind.open_to_gas(); };
-    if (std::any_of(present.begin(), present.end(), is_open)) continue;
-    const std::string expected =
-        "an open side, where the gas can leave; there is none at time " + number_text(time) + " s";
-    for (const Segment* segment : present) {
-      const std::string key = "boundary_" + segment->condition.name + "_";
-      if (brings_gas_at(*segment, time))
-        throw InputError(key + "gas_velocity", number_text(segment->condition.gas_velocity) + " m/s", expected);
-      if (brings_particles(*segment))
-        throw InputError(key + "velocity", number_text(segment->condition.velocity[segment->axis]) + " m/s", expected);
-    }
-  }
-}
-
 }  // namespace
 
 void check_gas(const Case& scene) {
   for (const Segment& segment : scene.segments) check_condition(scene, segment);
-  if (scene.gas.model != GasModel::none) check_way_out(scene);
 }
 
 }  // namespace scree

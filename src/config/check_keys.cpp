@@ -49,16 +49,21 @@ std::string nearest(const std::string& key, const OptionSet& known) {
 
 }  // namespace
 
-void check_keys(const Database& database, const OptionSet& known) {
+void check_keys(const CaseInput& input, const OptionSet& known) {
   std::set<std::string> ours;
   for (const OptionEntry& entry : known.entries()) ours.insert(entry.key);
-  for (const auto& [key, value] : database.entries()) {
-    if (ours.count(key)) {
-      if (database.find("define_" + key))
-        throw InputError("define_" + key, *database.find("define_" + key), "a name that is not an option itself");
-    } else if (!database.is_definition(key) && !is_petsc_option(key)) {
-      throw InputError(key, value,
-                       "a known key (the nearest is '" + nearest(key, known) + "') or a name under 'define'");
+  for (const auto& [key, given] : input.entries()) {
+    if (given.petsc_section) {
+      if (ours.count(key) || input.is_definition(key))
+        throw InputError("petsc: " + key, given.text, "options of PETSc alone under petsc; this one is Scree's",
+                         given.place);
+    } else if (ours.count(key)) {
+      if (const std::string* text = input.find("define_" + key))
+        throw InputError("define_" + key, *text, "a name that is not an option itself");
+    } else if (!input.is_definition(key) && !is_petsc_option(key)) {
+      throw InputError(key, given.text,
+                       "a known key (the nearest is '" + nearest(key, known) +
+                           "'), a name under 'define', or for PETSc a key under 'petsc'");
     }
   }
 }

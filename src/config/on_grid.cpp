@@ -1,16 +1,9 @@
 #include <cmath>
-#include <cstdio>
 
 #include "scree/config/case_options.hpp"
 
 namespace scree {
 namespace {
-
-std::string rounded(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
 
 /// `value`, moved onto the nearest grid plane of `axis`; infinite values (the whole side) stay.
 double on_plane(const Box& box, int axis, double value, const std::string& key) {
@@ -24,7 +17,8 @@ double on_plane(const Box& box, int axis, double value, const std::string& key) 
   if (std::abs(*nearest - value) <= tolerance * std::min(below, above)) return *nearest;
   throw InputError(key, number_text(value) + " m",
                    std::string("a grid plane of axis ") + axis_names[axis] + "; the nearest is at " +
-                       rounded(*nearest) + " m (cells there are " + rounded(std::min(below, above)) + " m)");
+                       number_text(*nearest, 9) + " m (cells there are " + number_text(std::min(below, above), 9) +
+                       " m)");
 }
 
 void put_patch(const Box& box, int normal, Patch& patch, const std::string& key) {

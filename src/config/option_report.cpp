@@ -7,10 +7,11 @@ namespace scree {
 
 namespace {
 
-OptionSet all_options() {
+OptionSet all_options(const Catalogue& catalogue) {
   OptionSet options;
   GridInput grid;
   Case scene;
+  scene.catalogue = catalogue;
   declare_all(options, grid, scene);
   return options;
 }
@@ -25,16 +26,17 @@ const char* const introduction = R"(scree [case.yaml] [-option value ...]
 A case file is YAML; nested keys join with '_', so `friction: {tau: 1 ms}` is -friction_tau "1 ms". The command line wins.
 A number without a unit is SI; numbers with units are converted ("1.4 cm", "28.5 deg", "0.5 dyn/cm^2", "40 %").
 Names under `define:` stand for values anywhere: `define: {width: 1.4 cm}`, then "${width}/2"; -width "2 cm" overrides.
-Lists are YAML lists or comma lists. <name> is any name you choose. PETSc's own options (-ts_..., -snes_...) pass.
+Lists are YAML lists or comma lists. <name> is any name you choose. PETSc's own options (-ts_..., -snes_...) pass; in
+a case file they stand under `petsc:`. Files of overrides follow the case file: -options_file_yaml MORE.yaml.
 )";
 
 }  // namespace
 
-std::string help_text() {
+std::string help_text(const Catalogue& catalogue) {
   std::ostringstream out;
   out << introduction;
   std::string group;
-  const OptionSet options = all_options();
+  const OptionSet options = all_options(catalogue);
   for (const OptionEntry& entry : options.entries()) {
     if (entry.group != group) out << "\n" << entry.group << "\n";
     group = entry.group;
@@ -45,10 +47,10 @@ std::string help_text() {
   return out.str();
 }
 
-std::string option_table_markdown() {
+std::string option_table_markdown(const Catalogue& catalogue) {
   std::ostringstream out;
   out << "| symbol | option | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
-  const OptionSet options = all_options();
+  const OptionSet options = all_options(catalogue);
   for (const OptionEntry& entry : options.entries()) {
     out << "| " << entry.symbol_ << " | `" << entry.key << "` | " << entry.unit << " | "
         << without_bars(entry.default_value) << " | " << without_bars(entry.allowed) << " | "

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 namespace scree {
@@ -41,11 +40,7 @@ std::string with_range(const std::string& kind, const Range& range) {
   return range.text.empty() ? kind : kind + ", " + range.text;
 }
 
-std::string in_degrees(double angle) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g deg", angle * 90 / right_angle);
-  return text;
-}
+std::string in_degrees(double angle) { return number_text(angle * 90 / right_angle, 10) + " deg"; }
 
 std::string count_text(const Count& count) {
   std::string number = count.number ? std::to_string(count.number) + " numbers" : "numbers";
@@ -105,13 +100,15 @@ OptionEntry& OptionEntry::unset_by_default(const std::string& words) {
 
 OptionEntry& OptionEntry::default_from(const std::string& words) {
   default_value = words;
+  default_in_words = true;
   return *this;
 }
 
-OptionEntry& OptionSet::add(const std::string& key, const std::string& unit, const std::string& allowed,
-                            const std::string& text) {
+OptionEntry& OptionSet::add(OptionEntry::Type type, const std::string& key, const std::string& unit,
+                            const std::string& allowed, const std::string& text) {
   OptionEntry entry;
   entry.group = group_;
+  entry.type = type;
   entry.key = key;
   entry.unit = unit;
   entry.allowed = allowed;
@@ -121,8 +118,10 @@ OptionEntry& OptionSet::add(const std::string& key, const std::string& unit, con
 }
 
 const std::string* OptionSet::given(OptionEntry& entry) const {
-  if (!database_ || mode_ == Mode::describe) return nullptr;
-  const std::string* text = database_->find(entry.key);
+  if (!input_ || mode_ == Mode::describe) return nullptr;
+  const auto owner = owners_.find(entry.key);
+  const bool of_another = owner != owners_.end() && owner->second != item_;  // a_gas + velocity, not a + gas_velocity
+  const std::string* text = of_another ? nullptr : input_->find(entry.key);
   entry.given = text != nullptr;
   return text;
 }
@@ -131,7 +130,7 @@ double OptionSet::number(const OptionEntry& entry, const std::string& text, cons
                          const Range& range) const {
   const std::string expected = with_range(kind_of_number(unit), range);
   try {
-    const double value = quantity(text, unit == "-" ? "1" : unit, database_->definitions());
+    const double value = quantity(text, unit == "-" ? "1" : unit, input_->definitions());
     if (range.contains(value)) return value;
   } catch (const QuantityError& error) {
     throw InputError(entry.key, text, expected + "; " + error.what());
@@ -142,7 +141,7 @@ double OptionSet::number(const OptionEntry& entry, const std::string& text, cons
 /// A text with its definitions filled in.
 std::string OptionSet::word(const OptionEntry& entry, const std::string& text, const std::string& expected) const {
   try {
-    return with_definitions(text, database_->definitions());
+    return with_definitions(text, input_->definitions());
   } catch (const QuantityError& error) {
     throw InputError(entry.key, text, expected + "; " + error.what());
   }
@@ -152,7 +151,7 @@ int OptionSet::whole_number(const OptionEntry& entry, const std::string& text, i
   const std::string expected = "a whole number >= " + std::to_string(lower);
   double value = 0;
   try {
-    value = quantity(text, "1", database_->definitions());
+    value = quantity(text, "1", input_->definitions());
   } catch (const QuantityError& error) {
     throw InputError(entry.key, text, expected + "; " + error.what());
   }
@@ -163,7 +162,8 @@ int OptionSet::whole_number(const OptionEntry& entry, const std::string& text, i
 
 OptionEntry& OptionSet::real(const std::string& key, double& value, const std::string& unit, const Range& range,
                              const std::string& text) {
-  OptionEntry& entry = add(key, unit, range.text.empty() ? "any" : range.text, text);
+  OptionEntry& entry = add(OptionEntry::Type::real, key, unit, range.text.empty() ? "any" : range.text, text);
+  entry.range = range;
   entry.default_value = unit == "rad" ? in_degrees(value) : number_text(value);
   if (const std::string* input = given(entry)) value = number(entry, *input, unit, range);
   entry.value = number_text(value);
@@ -172,7 +172,10 @@ OptionEntry& OptionSet::real(const std::string& key, double& value, const std::s
 
 OptionEntry& OptionSet::reals(const std::string& key, std::vector<double>& values, const Count& count,
                               const std::string& unit, const Range& range, const std::string& text) {
-  OptionEntry& entry = add(key, unit, with_range(count.text.empty() ? "list" : count.text, range), text);
+  OptionEntry& entry =
+      add(OptionEntry::Type::real, key, unit, with_range(count.text.empty() ? "list" : count.text, range), text);
+  entry.list = true;
+  entry.range = range;
   entry.default_value = list_text(values);
   if (const std::string* input = given(entry)) {
     const std::vector<std::string> items = split_list(*input);
@@ -200,7 +203,8 @@ OptionEntry& OptionSet::vector(const std::string& key, std::array<double, max_di
 }
 
 OptionEntry& OptionSet::integer(const std::string& key, int& value, int lower, const std::string& text) {
-  OptionEntry& entry = add(key, "-", "whole, >= " + std::to_string(lower), text);
+  OptionEntry& entry = add(OptionEntry::Type::integer, key, "-", "whole, >= " + std::to_string(lower), text);
+  entry.range.lower = lower;
   entry.default_value = std::to_string(value);
   if (const std::string* input = given(entry)) value = whole_number(entry, *input, lower);
   entry.value = std::to_string(value);
@@ -209,7 +213,10 @@ OptionEntry& OptionSet::integer(const std::string& key, int& value, int lower, c
 
 OptionEntry& OptionSet::integers(const std::string& key, std::vector<int>& values, const Count& count, int lower,
                                  const std::string& text) {
-  OptionEntry& entry = add(key, "-", count.text + ", whole, >= " + std::to_string(lower), text);
+  OptionEntry& entry =
+      add(OptionEntry::Type::integer, key, "-", count.text + ", whole, >= " + std::to_string(lower), text);
+  entry.list = true;
+  entry.range.lower = lower;
   entry.default_value = list_text(values);
   if (const std::string* input = given(entry)) {
     const std::vector<std::string> items = split_list(*input);
@@ -224,7 +231,7 @@ OptionEntry& OptionSet::integers(const std::string& key, std::vector<int>& value
 
 OptionEntry& OptionSet::boolean(const std::string& key, bool& value, const std::string& text) {
   static const std::set<std::string> yes{"", "yes", "true", "on", "1"}, no{"no", "false", "off", "0"};
-  OptionEntry& entry = add(key, "-", "yes, no", text);
+  OptionEntry& entry = add(OptionEntry::Type::boolean, key, "-", "yes, no", text);
   entry.default_value = value ? "yes" : "no";
   if (const std::string* input = given(entry)) {
     const std::string expected = "yes or no (true/false, on/off, 1/0)", answer = word(entry, *input, expected);
@@ -237,7 +244,7 @@ OptionEntry& OptionSet::boolean(const std::string& key, bool& value, const std::
 
 OptionEntry& OptionSet::text(const std::string& key, std::string& value, const std::string& what,
                              const std::string& text) {
-  OptionEntry& entry = add(key, "-", what, text);
+  OptionEntry& entry = add(OptionEntry::Type::text, key, "-", what, text);
   entry.default_value = value.empty() ? "none" : value;
   if (const std::string* input = given(entry)) {
     value = word(entry, *input, what);
@@ -248,7 +255,8 @@ OptionEntry& OptionSet::text(const std::string& key, std::string& value, const s
 
 OptionEntry& OptionSet::texts(const std::string& key, std::vector<std::string>& values, const std::string& what,
                               const std::string& text) {
-  OptionEntry& entry = add(key, "-", what, text);
+  OptionEntry& entry = add(OptionEntry::Type::text, key, "-", what, text);
+  entry.list = true;
   entry.default_value = values.empty() ? "none" : joined(values);
   if (const std::string* input = given(entry)) values = split_list(word(entry, *input, what));
   entry.value = quoted_list(values);
@@ -268,21 +276,41 @@ std::size_t OptionSet::choose(OptionEntry& entry, const std::vector<std::string>
   return chosen;
 }
 
-std::vector<std::string> OptionSet::names(const std::string& section) const {
-  if (!database_) return {"<name>"};
+std::vector<std::string> OptionSet::names(const std::string& section) {
+  if (!input_) return {"<name>"};
+  const auto begins = [](const std::string& key, const std::string& start) {
+    return key.compare(0, start.size(), start) == 0;
+  };
+  const std::string start = section + "_";
   std::set<std::string> found;
-  for (const auto& [key, value] : database_->entries()) {
-    if (key.compare(0, section.size() + 1, section + "_") != 0) continue;
-    const std::string rest = key.substr(section.size() + 1);
-    std::size_t longest = 0;
-    for (const std::string& attribute : sections_.at(section)) {
-      const std::string end = "_" + attribute;
-      const bool matches = rest.size() > end.size() && rest.compare(rest.size() - end.size(), end.size(), end) == 0;
-      if (matches) longest = std::max(longest, end.size());
-    }
-    if (longest) found.insert(rest.substr(0, rest.size() - longest));
+  for (const auto& [key, given] : input_->entries()) {
+    if (given.item.empty() || !begins(key, start + given.item + "_")) continue;
+    found.insert(given.item);
+    owners_[key] = given.item;
+  }
+  const std::set<std::string> nested = found;
+  for (const auto& [key, given] : input_->entries()) {
+    if (given.petsc_section || !begins(key, start) || owners_.count(key)) continue;
+    const std::string name = name_in(section, key.substr(start.size()), nested);
+    if (name.empty()) continue;
+    found.insert(name);
+    owners_[key] = name;
   }
   return {found.begin(), found.end()};
+}
+
+/// The name in `<name>_<attribute>`; empty if it does not end in an attribute.
+std::string OptionSet::name_in(const std::string& section, const std::string& rest,
+                               const std::set<std::string>& known) const {
+  std::string shortest, longest_known;
+  for (const std::string& attribute : sections_.at(section)) {
+    const std::string end = "_" + attribute;
+    if (rest.size() <= end.size() || rest.compare(rest.size() - end.size(), end.size(), end) != 0) continue;
+    const std::string name = rest.substr(0, rest.size() - end.size());
+    if (shortest.empty() || name.size() < shortest.size()) shortest = name;
+    if (known.count(name) && name.size() > longest_known.size()) longest_known = name;
+  }
+  return longest_known.empty() ? shortest : longest_known;
 }
 
 void OptionSet::check_required() const {

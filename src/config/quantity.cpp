@@ -1,8 +1,8 @@
 #include "scree/config/quantity.hpp"
 
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "scree/config/unit.hpp"
@@ -208,13 +208,12 @@ std::vector<std::string> split_list(const std::string& text) {
   return items;
 }
 
-std::string number_text(double value) {
-  char text[40];
-  for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
-  }
-  return text;
+std::string number_text(double value, int digits) {
+  char text[64];
+  const std::to_chars_result end =
+      digits ? std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits)
+             : std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
 }
 
 }  // namespace scree

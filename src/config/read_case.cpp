@@ -16,10 +16,11 @@ void clip_regions(const Box& box, std::vector<InitialRegion>& regions) {
   }
 }
 
-OptionSet known_options(const Database& database) {
-  OptionSet known(database, OptionSet::Mode::describe);
+OptionSet known_options(const CaseInput& input, const Catalogue& catalogue) {
+  OptionSet known(input, OptionSet::Mode::describe);
   GridInput grid;
   Case scene;
+  scene.catalogue = catalogue;
   declare_all(known, grid, scene);
   return known;
 }
@@ -39,15 +40,25 @@ void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
   declare_time(o, scene.time);
   declare_output(o, grid, scene);
   declare_solver(o, scene);
+  if (scene.catalogue.further_options) scene.catalogue.further_options(o);
 }
 
-Case read_case() {
-  const Database database;
-  check_keys(database, known_options(database));
+namespace {
 
-  OptionSet options(database, OptionSet::Mode::read);
+std::vector<PetscOption> petsc_options(const CaseInput& input) {
+  std::vector<PetscOption> options;
+  for (const auto& [key, given] : input.entries())
+    if (input.is_for_petsc(key)) options.push_back({key, given.text, given.place.empty()});
+  return options;
+}
+
+Case understood(const CaseInput& input, const Catalogue& catalogue) {
+  check_keys(input, known_options(input, catalogue));
+
+  OptionSet options(input, OptionSet::Mode::read);
   GridInput grid;
   Case scene;
+  scene.catalogue = catalogue;
   declare_all(options, grid, scene);
   options.check_required();
 
@@ -56,15 +67,22 @@ Case read_case() {
   clip_regions(scene.box, scene.initial);
   check_case(scene);
 
-  scene.effective_yaml = effective_yaml(database, options);
-  scene.remarks = unused_remarks(database, options);
-  for (const auto& [key, value] : database.entries()) {
-    if (database.is_definition(key) || !is_petsc_option(key))
-      database.mark_used(key);
-    else
-      scene.petsc_options.push_back(key);
-  }
+  scene.effective_yaml = effective_yaml(input, options);
+  scene.petsc_options = petsc_options(input);
+  scene.remarks = input.remarks();
+  for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(scene)})
+    scene.remarks.insert(scene.remarks.end(), more.begin(), more.end());
   return scene;
+}
+
+}  // namespace
+
+Case read_case(const CaseInput& input, const Catalogue& catalogue) {
+  try {
+    return understood(input, catalogue);
+  } catch (const InputError& error) {
+    throw located(error, input);
+  }
 }
 
 }  // namespace scree

@@ -25,6 +25,8 @@ void declare_solver(OptionSet& o, Case& scene) {
   o.boolean("check", scene.check_only, "check the case, print it as understood, and end").unset_by_default("no");
   bool print_options = false;
   o.boolean("print_options", print_options, "print the table of options and end").unset_by_default("no");
+  bool schema = false;
+  o.boolean("schema", schema, "print the JSON schema of case files, for editors, and end").unset_by_default("no");
 }
 
 }  // namespace scree

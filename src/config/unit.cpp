@@ -1,7 +1,6 @@
 #include "scree/config/unit.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "scree/config/quantity.hpp"
@@ -35,9 +34,7 @@ ut_system* unit_system() {
 
 /// The nearest number of 15 digits if it is as good as `x`, so that 1.4 cm is 0.014 m and not the number below it.
 double without_rounding_noise(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.15g", x);
-  const double neat = std::strtod(text, nullptr);
+  const double neat = std::strtod(number_text(x, 15).c_str(), nullptr);
   return std::abs(neat - x) < 4e-16 * std::abs(x) ? neat : x;
 }
 

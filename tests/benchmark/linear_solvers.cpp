@@ -19,7 +19,9 @@
 #include <vector>
 
 #include "../support/sample_problem.hpp"
+#include "scree/app/petsc_session.hpp"
 #include "scree/app/problem_setup.hpp"
+#include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
 #include "scree/solver/presets.hpp"
@@ -31,34 +33,40 @@ constexpr double tight_tolerance = 1e-5;
 
 // ---- options ----
 
-/// Options of this program leave the database: the rest are the case's and PETSc's.
-void forget_option(const char* option) { check(PetscOptionsClearValue(nullptr, option)); }
-
+/// Options of this program: they leave the command line, the rest is the case's and PETSc's.
 struct Options {
   int refine = 1, repeat = 1;
   double dt = 1e-2;
   bool header = false;
-  char scene[200] = "", label[200] = "";
+  std::string scene, label;
 
-  Options() {
-    PetscBool with_header;
-    check(PetscOptionsGetInt(nullptr, nullptr, "-refine", &refine, nullptr));
-    check(PetscOptionsGetInt(nullptr, nullptr, "-repeat", &repeat, nullptr));
-    check(PetscOptionsGetReal(nullptr, nullptr, "-dt", &dt, nullptr));
-    check(PetscOptionsHasName(nullptr, nullptr, "-header", &with_header));
-    check(PetscOptionsGetString(nullptr, nullptr, "-scene", scene, sizeof scene, nullptr));
-    check(PetscOptionsGetString(nullptr, nullptr, "-label", label, sizeof label, nullptr));
-    for (const char* option : {"-refine", "-repeat", "-dt", "-header", "-scene", "-label"}) forget_option(option);
-    header = with_header;
+  explicit Options(CommandLine& line) {
+    CommandLine rest;
+    for (const auto& [key, value] : line.options) {
+      if (key == "refine")
+        refine = std::stoi(value);
+      else if (key == "repeat")
+        repeat = std::stoi(value);
+      else if (key == "dt")
+        dt = std::stod(value);
+      else if (key == "header")
+        header = true;
+      else if (key == "scene")
+        scene = value;
+      else if (key == "label")
+        label = value;
+      else
+        rest.options.push_back({key, value});
+    }
+    line.options = rest.options;
   }
 };
 
 /// The case on a grid with `times` as many cells along each axis.
-Case refined_case(int times) {
-  PetscInt own = 1;
-  check(PetscOptionsGetInt(nullptr, nullptr, "-grid_refine", &own, nullptr));
-  check(PetscOptionsSetValue(nullptr, "-grid_refine", std::to_string(own * times).c_str()));
-  return read_case();
+Case refined_case(CaseInput input, int times) {
+  const std::string* own = input.find("grid_refine");
+  input.set("grid_refine", std::to_string((own ? std::stoi(*own) : 1) * times));
+  return read_case(input);
 }
 
 const char* name_of(SolverPreset preset) {
@@ -310,11 +318,10 @@ void print_header() {
 }
 
 /// Messages and the like are those of the tight solution, a rank and an iteration.
-void run(const std::string& directory) {
+void run(const std::string& directory, const Options& options, const CaseInput& input) {
   const double empty = peak_memory();
-  const Options options;
-  const Box coarse_box = read_case().box;
-  const Case scene = refined_case(options.refine);
+  const Box coarse_box = read_case(input).box;
+  const Case scene = refined_case(input, options.refine);
   DiscreteProblem problem(problem_setup(scene));
   check(problem.create(PETSC_COMM_WORLD, 0));
   Vec state;
@@ -347,10 +354,10 @@ void run(const std::string& directory) {
   if (options.header) print_header();
   PetscPrintf(PETSC_COMM_WORLD,
               "%s,%s,%d,%g,%d,%s,%s,%d,%d,%.2e,%.4g,%.4g,%.4g,%d,%d,%.2e,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n",
-              options.scene, grid.c_str(), cells, options.dt, ranks, preset, options.label, loose.iterations,
-              static_cast<int>(loose.reason), loose.residual, first, again, loose.seconds, tight.iterations,
-              static_cast<int>(tight.reason), tight.residual, tight.seconds, tight.messages, tight.bytes,
-              tight.reductions, empty, memory);
+              options.scene.c_str(), grid.c_str(), cells, options.dt, ranks, preset, options.label.c_str(),
+              loose.iterations, static_cast<int>(loose.reason), loose.residual, first, again, loose.seconds,
+              tight.iterations, static_cast<int>(tight.reason), tight.residual, tight.seconds, tight.messages,
+              tight.bytes, tight.reductions, empty, memory);
   check(VecDestroy(&state));
 }
 
@@ -359,16 +366,19 @@ void run(const std::string& directory) {
 
 int main(int argc, char** argv) {
   if (argc < 2) return 1;
-  const std::string directory = argv[1];
-  char** arguments = argv + 1;  // PETSc takes an argument that is no option for an unused one
-  int count = argc - 1;
-  if (PetscInitialize(&count, &arguments, (directory + "/case.yaml").c_str(), nullptr)) return 1;
-  if (PetscLogDefaultBegin()) return 1;
+  MPI_Init(&argc, &argv);
   try {
-    scree::test::run(directory);
+    const std::string directory = argv[1];
+    scree::CommandLine line = scree::read_command_line({argv + 2, argv + argc});
+    const scree::test::Options options(line);
+    line.case_file = directory + "/case.yaml";
+    const scree::CaseInput input = scree::case_input(line);
+    const scree::PetscSession petsc(argv[0], scree::read_case(input).petsc_options);
+    scree::test::check(PetscLogDefaultBegin());
+    scree::test::run(directory, options, input);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "linear_solvers: %s\n", error.what());
-    MPI_Abort(PETSC_COMM_WORLD, 1);
+    MPI_Abort(MPI_COMM_WORLD, 1);
   }
-  return PetscFinalize() == 0 ? 0 : 1;
+  return MPI_Finalize();
 }

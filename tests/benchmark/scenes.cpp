@@ -5,7 +5,7 @@
 
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
-#include "scree/config/case_files.hpp"
+#include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
 
 namespace scree::benchmarks {
@@ -51,21 +51,20 @@ void check(PetscErrorCode code) {
 std::vector<Scene> scenes(const std::string& cases) {
   const std::string bin = cases + "/bin_discharge/coarse.yaml", bubble = cases + "/bubble_rise/paper.yaml",
                     third = cases + "/../tests/benchmark/bin_3d.yaml";
-  return {{"bin", bin, "", {1, 2, 4}},
-          {"bin_van_albada", bin, "-advection van_albada", {1, 2, 4}},
-          {"critical_state", bin, "-friction_model critical_state", {1, 2, 4}},
-          {"bubble", bubble, "", {1, 2, 4}},
-          {"darcy", bubble, "-gas darcy", {1, 2, 4}},
-          {"bin_3d", third, "", {1, 2}},
-          {"bin_3d_gas", third, "-gas incompressible", {1, 2}}};
+  return {{"bin", bin, {}, {1, 2, 4}},
+          {"bin_van_albada", bin, {{"advection", "van_albada"}}, {1, 2, 4}},
+          {"critical_state", bin, {{"friction_model", "critical_state"}}, {1, 2, 4}},
+          {"bubble", bubble, {}, {1, 2, 4}},
+          {"darcy", bubble, {{"gas", "darcy"}}, {1, 2, 4}},
+          {"bin_3d", third, {}, {1, 2}},
+          {"bin_3d_gas", third, {{"gas", "incompressible"}}, {1, 2}}};
 }
 
 Case read_scene(const Scene& scene, int refine) {
   check(PetscOptionsClear(nullptr));
-  for (const std::string& file : case_files(scene.file))
-    check(PetscOptionsInsertFileYAML(PETSC_COMM_SELF, nullptr, file.c_str(), PETSC_TRUE));
-  check(PetscOptionsInsertString(nullptr, (scene.options + " -grid_refine " + std::to_string(refine)).c_str()));
-  return read_case();
+  CommandLine line{scene.file, scene.options};
+  line.options.push_back({"grid_refine", std::to_string(refine)});
+  return read_case(case_input(line));
 }
 
 Sample::Sample(const Scene& scene, int refine) : problem_(problem_setup(read_scene(scene, refine))) {

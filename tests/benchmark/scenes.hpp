@@ -15,14 +15,14 @@ namespace scree::benchmarks {
 /// A case file and what is changed in it.
 struct Scene {
   std::string name, file;
-  std::string options;       ///< as on the command line
-  std::vector<int> refined;  ///< values of grid_refine to measure
+  std::vector<std::pair<std::string, std::string>> options;  ///< keys and values, as on the command line
+  std::vector<int> refined;                                  ///< values of grid_refine to measure
 };
 
 /// 1 mm bin (relaxed, critical_state), bubble, bubble with gas darcy, a box in three dimensions.
 std::vector<Scene> scenes(const std::string& cases);
 
-/// The case of a scene. PETSc's options database holds this one's options and no other's from then on.
+/// The case of a scene. PETSc's options database is empty from then on.
 Case read_scene(const Scene& scene, int refine);
 
 /// A problem with a state and its rate, and the TS through which it is evaluated.

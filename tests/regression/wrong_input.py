@@ -1,4 +1,5 @@
 """Wrong input: one line on stderr, from one rank, that names key, value and expectation; exit code not zero; nothing written."""
+import os
 import shutil
 
 from scree_program import Checks, Program
@@ -29,12 +30,50 @@ OPTIONS = {
     "missing table": ({"initial_fill_table": "no/such/table"}, ["initial_fill_table", "no/such/table"]),
     "wrong window": ({"boundary_top_from": 1, "boundary_top_until": 0.5}, ["boundary_top_until", "0.5", "boundary_top_from"]),
     "missing restart": ({"restart": "no/such/run"}, ["no/such/run", "exist"]),
+    "unknown field of a probe": ({"probe_a_point": "1 cm, 2 cm", "probe_a_fields": "solids_fracton"},
+                                 ["probe_a_fields", "solids_fracton", "velocity_x"]),
+    "unknown field of a line at -check": ({"line_a_from": "1 cm, 2 cm", "line_a_to": "1 cm, 3 cm", "line_a_fields": "gas_pressure",
+                                           "check": None}, ["line_a_fields", "gas_pressure", "solids_fraction"]),
+}
+BOX = """dimension: 2
+extent: "4 cm, 8 cm"
+grid_cells: "4, 8"
+gravity: "0, -9.81"
+end_time: 0.02 s
+boundary:
+  left:  {side: x_lower, kind: wall_johnson_jackson}
+  right: {side: x_upper, kind: wall_johnson_jackson}
+  floor: {side: y_lower, kind: wall_johnson_jackson}
+"""
+TOP = "  top:   {side: y_upper, kind: open}\n"
+FILL = """initial:
+  everywhere: {order: 0, solids_fraction: 0, granular_temperature: 1e-4}
+  fill: {order: 1, box: "0, 4 cm, 0, 4 cm", solids_fraction: 0.58}
+"""
+#: what: text of a case file, words that the line must have; FILE stands for its name
+FILES = {
+    "tab": (BOX + TOP + FILL + "particle:\n\tdensity: 2500\n\tdiameter: 1 mm\n", ["FILE:15:", "blanks", "tab"]),
+    "open brace": (BOX + "  top: {side: y_upper, kind: open\n" + FILL, ["FILE:12:", "'}'"]),
+    "bad YAML": ("grid: {x_edges: [0, 1\n  - nonsense: : :\n", ["FILE:2:", "YAML"]),
+    "open quote": (BOX + TOP + FILL + "output_dir: \"out\n", ["FILE:14:13", "quote"]),
+    "UTF-16": ((BOX + TOP + FILL).encode("utf-16"), ["FILE:1:1", "UTF-8"]),
+    "initial region twice": (BOX + TOP + FILL + '  fill: {box: "4 cm, 6 cm, 0, 4 cm", solids_fraction: 0.3}\n',
+                             ["FILE:14:3", "initial_fill", "once", "line 13"]),
+    "segment twice": (BOX + TOP + "  floor: {side: y_lower, kind: open}\n" + FILL, ["FILE:11:3", "boundary_floor", "line 9"]),
+    "key twice": (BOX + TOP + FILL + "end_time: 1 s\n", ["FILE:14:1", "end_time", "line 5"]),
+    "key twice, nested and flat": (BOX + TOP + FILL + "initial_fill_order: 2\n", ["FILE:14", "initial_fill_order", "FILE:13"]),
+    "wrong value in a file": (BOX + TOP + FILL + "friction:\n  tau: 1 cm\n", ["FILE:15", "friction_tau", "1 cm", "in s"]),
+    "pocket": (BOX + TOP + """  lid:   {side: y_upper, kind: wall_free_slip, patch: "2 cm, 4 cm", order: 1}
+  blow:  {side: y_lower, kind: gas_inlet, gas_velocity: 0.1, patch: "2 cm, 4 cm", order: 1}
+plate: {middle: {axis: x, position: 2 cm}}
+gas: incompressible
+""", ["FILE:12", "boundary_blow_gas_velocity", "open side", "plates"]),
 }
 
 program, checks = Program(), Checks("wrong input")
 
 
-def complain(what, case, options, words, directory=None, may_exist=False):
+def complain(what, case, options, words, directory=None):
     """One run that must fail with one line."""
     directory = directory or program.work / what.replace(" ", "_")
     before = sorted(directory.rglob("*")) if directory.is_dir() else None
@@ -57,10 +96,21 @@ for kind, place in (("probe", {"probe_a_point": "1 cm, 2 cm"}), ("line", {"line_
         complain(f"{kind} of a field that is not there{' under -check' if check else ''}", CASE,
                  {**place, f"{kind}_a_fields": "gas_pressure", **check}, [f"{kind} a", "gas_pressure", "solids_fraction"])
 
-bad = program.work / "bad.yaml"
-bad.write_text("grid: {x_edges: [0, 1\n  - nonsense: : :\n")
-complain("bad YAML", bad, {}, ["bad.yaml", "YAML"])
+for what, (text, words) in FILES.items():
+    path = program.work / f"{what.replace(' ', '_').replace(',', '')}.yaml"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    complain(what, path, {}, [word.replace("FILE", path.name) for word in words])
 complain("missing case file", program.work / "none.yaml", {}, ["none.yaml", "readable"])
+complain("no case file", None, {}, ["case file"])
+complain("missing file of overrides", CASE, {"options_file_yaml": program.work / "none.yaml"}, ["none.yaml", "readable"])
+
+odd = program.work / "odd.yaml"
+odd.write_text(BOX + TOP + FILL + "particle: {diameter: 0.5}\n")
+said = program.run(odd, "odd", {"check": None}).log.splitlines()
+checks.true("a particle as large as the box gets a remark", said[0].startswith("# particle_diameter = 0.5 m is odd"), said[0])
+os.environ["PETSC_OPTIONS"] = "-friction_tau 1"
+complain("an option of ours where PETSc looks", CASE, {}, ["friction_tau", "PETSC_OPTIONS"])
+del os.environ["PETSC_OPTIONS"]
 
 tiny = {"grid_x_cells": "1, 3", "grid_y_cells": "1, 8", "end_time": 1e-4}
 (program.work / "a_file").write_text("in the way\n")

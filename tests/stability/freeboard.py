@@ -9,7 +9,7 @@ program, checks = Program(), Checks("bed below an empty freeboard", "H5")
 states = {}
 for floor in FLOORS:
     name = f"floor {floor}"
-    run = program.run("freeboard.yaml", f"{floor}", {**DIRECT, "accuracy": 1e-3, "end_time": 0.05, "void_fraction_floor": floor})
+    run = program.run("freeboard.yaml", f"{floor}", {**DIRECT, "accuracy": 1e-3, "end_time": 0.05, "solids_fraction_floor": floor})
     monitor, states[floor] = run.monitor, run.fields
     checks.above(f"{name}: least nu ever", monitor["solids_fraction_min"].min(), -1e-12)
     checks.below(f"{name}: greatest speed ever [m/s]", monitor["speed_max"].max(), 3.0)  # of particles; the slit blows 1 m/s

@@ -30,7 +30,7 @@ for nu0, gas in ((.2, "incompressible"), (.2, "darcy"), (.4, "incompressible")):
     name = f"nu {nu0}, {gas}"
     end = 800 if nu0 == .2 else 1200
     options = {**EXACT, "gas": gas, "initial_everywhere_solids_fraction": nu0, "end_time": end,
-               "output_interval": end / 4, "void_fraction_floor": 1e-9}
+               "output_interval": end / 4, "solids_fraction_floor": 1e-9}
     run = program.run("batch_sedimentation.yaml", f"{gas}_{nu0}", options)
     states = run.all_fields()[1:]
     times = np.array([state["time"] for state in states])

@@ -65,7 +65,7 @@ for scheme in ("upwind", "van_albada"):
 # Under gravity: thrown off from the uniform start, as the paper's bin is; nothing moves from equilibrium.
 for profile in ("uniform", "equilibrium"):
     options = {**DIRECT, "gravity": -9.81, "initial_fill_profile": profile, "initial_fill_surface": "10 cm",
-               "time_step_initial": 2e-5, "end_time": 2e-3, "void_fraction_floor": 1e-5}
+               "time_step_initial": 2e-5, "end_time": 2e-3, "solids_fraction_floor": 1e-5}
     if profile == "uniform":
         del options["initial_fill_surface"]
     run = program.run("surface_release.yaml", f"gravity_{profile}", options)

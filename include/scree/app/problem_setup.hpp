@@ -10,7 +10,4 @@ namespace scree {
 /// sqrt(g d) and times by sqrt(d/g).
 ProblemSetup problem_setup(const Case& scene, const ModelFactory& models);
 
-/// Throws std::runtime_error if a probe or a line asks for a field that the scene has not.
-void check_sampling(const Case& scene, const ModelFactory& models);
-
 }  // namespace scree

@@ -47,6 +47,12 @@ struct InitialRegion {
 
   /// Whether nu comes from a table or a profile.
   bool has_own_solids_fraction() const { return profile != Profile::uniform || !table.empty(); }
+  bool gives_solids_fraction() const { return has_own_solids_fraction() || find(SolidsContinuity::unknown); }
+  /// nu where it is uniform; 0 where the region says nothing of it.
+  double uniform_solids_fraction() const {
+    const InitialValue* nu = find(SolidsContinuity::unknown);
+    return nu ? nu->value[0] : 0;
+  }
   const InitialValue* find(const Unknown& unknown) const {
     for (const InitialValue& entry : values)
       if (entry.unknown == &unknown) return &entry;
@@ -87,6 +93,12 @@ struct OutputParameters {
   bool overwrite = false;            ///< allow a directory that already holds a run
 };
 
+/// An option that is PETSc's to understand.
+struct PetscOption {
+  std::string key, value;  ///< without '-'; an empty value is none
+  bool on_command_line = false;
+};
+
 struct SolverParameters {
   SolverPreset preset = SolverPreset::ilu;
   bool preset_given = false;  ///< one that was not may change on the way
@@ -114,8 +126,8 @@ struct Case {
   double scale_velocity = 0;               ///< [m/s]; 0: sqrt(g d), or 0.1 m/s without gravity
   bool check_only = false;                 ///< nothing is to be run
   std::string effective_yaml;              ///< the case as understood, as a case file that reruns it
-  std::vector<std::string> petsc_options;  ///< keys given that are PETSc's to know
-  std::vector<std::string> remarks;        ///< for the log: one line for each key that this scene does not use
+  std::vector<PetscOption> petsc_options;  ///< what PETSc is to know
+  std::vector<std::string> remarks;        ///< for the log: a line for what is not used, odd or has a former name
 };
 
 }  // namespace scree

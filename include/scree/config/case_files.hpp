@@ -4,10 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "scree/config/yaml_text.hpp"
+
 namespace scree {
 
-/// `file` and what it names under a top-level key `based_on`, and so on; the base of all first, as PETSc's options
-/// database has to take them. Throws InputError for a file that cannot be read and for files that go round in a circle.
-std::vector<std::string> case_files(const std::string& file);
+struct CaseFile {
+  std::string name;
+  std::vector<YamlEntry> entries;
+};
+
+/// One file; `why` says what it is needed for, "" for the case itself.
+/// Throws InputError if it cannot be read or is no YAML.
+CaseFile read_case_file(const std::string& name, const std::string& why = "");
+
+/// `file` and what it names under a top-level key `based_on`, beside it, and so on; the base of all first.
+/// Throws InputError for a file that cannot be read and for files that go round in a circle.
+std::vector<CaseFile> case_files(const std::string& file);
 
 }  // namespace scree

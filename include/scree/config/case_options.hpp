@@ -94,13 +94,19 @@ void check_case(Case& scene);
 /// What the boundaries say of the gas; the sides are known to be covered. Throws InputError.
 void check_gas(const Case& scene);
 
+/// What comes into each connected part of the box has to find its way out, or room. Reads no tables. Throws InputError.
+void check_ways_out(const Case& scene);
+
+/// Numbers that are allowed but odd, such as a particle as large as the box: one line for each.
+std::vector<std::string> odd_numbers(const Case& scene);
+
 /// Throws InputError for the first key that is neither ours nor a definition nor PETSc's; names the nearest known one.
-void check_keys(const Database& database, const OptionSet& known);
+void check_keys(const CaseInput& input, const OptionSet& known);
 
 /// The effective case as YAML, with the PETSc options that were given.
-std::string effective_yaml(const Database& database, const OptionSet& options);
+std::string effective_yaml(const CaseInput& input, const OptionSet& options);
 
 /// One line for each given key that this scene does not use.
-std::vector<std::string> unused_remarks(const Database& database, const OptionSet& options);
+std::vector<std::string> unused_remarks(const CaseInput& input, const OptionSet& options);
 
 }  // namespace scree

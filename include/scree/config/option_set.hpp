@@ -7,11 +7,12 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scree/config/database.hpp"
+#include "scree/config/case_input.hpp"
 #include "scree/config/input_error.hpp"
 #include "scree/grid/box.hpp"
 
@@ -53,12 +54,19 @@ struct Count {
 /// What is known of an option after its declaration. The setters return the entry, to be chained behind the
 /// declaration.
 struct OptionEntry {
+  enum class Type { real, integer, boolean, choice, text };
+
   std::string group, key, unit, text;
-  std::string allowed;         ///< range, choices, or the form of a text
-  std::string default_value;   ///< as text
-  std::string value;           ///< the effective value as YAML; empty: nothing to write
-  std::string symbol_;         ///< in src/MODEL.md
-  std::string unused_because;  ///< why this scene does not use it; empty: it does
+  Type type = Type::text;
+  bool list = false;                 ///< a list of values of the type
+  Range range;                       ///< of each number
+  std::vector<std::string> choices;  ///< words of a choice
+  std::string allowed;               ///< range, choices, or the form of a text
+  std::string default_value;         ///< as text
+  std::string value;                 ///< the effective value as YAML; empty: nothing to write
+  std::string symbol_;               ///< in src/MODEL.md
+  std::string unused_because;        ///< why this scene does not use it; empty: it does
+  bool default_in_words = false;     ///< the default is no value
   bool given = false;
   bool needed = false;
 
@@ -71,14 +79,14 @@ struct OptionEntry {
   OptionEntry& default_from(const std::string& words);
 };
 
-/// Declares options and, with a database in mode `read`, sets the variables. All reading throws InputError.
+/// Declares options and, with an input in mode `read`, sets the variables. All reading throws InputError.
 class OptionSet {
  public:
   enum class Mode { describe, read };
 
-  /// Without a database: a description with "<name>" for the names that users choose.
+  /// Without an input: a description with "<name>" for the names that users choose.
   OptionSet() = default;
-  OptionSet(const Database& database, Mode mode) : database_(&database), mode_(mode) {}
+  OptionSet(const CaseInput& input, Mode mode) : input_(&input), mode_(mode) {}
 
   /// Heading of the options declared from here on.
   void group(const std::string& title) { group_ = title; }
@@ -103,13 +111,14 @@ class OptionSet {
   template <class Choice>
   OptionEntry& choice(const std::string& key, Choice& value, const Choices<Choice>& choices, const std::string& text);
 
-  /// One item for each name in keys `<section>_<name>_<attribute>`, alphabetically, with its attributes declared by
-  /// `declare(options, "<section>_<name>_", name, item)`.
+  /// One item for each name, alphabetically, with its attributes declared by
+  /// `declare(options, "<section>_<name>_", name, item)`. Names are those that nesting tells; in a flat key
+  /// `<section>_<name>_<attribute>` the longest of them that fits, else what is left by the longest attribute.
   template <class Item, class Declare>
   std::vector<Item> named(const std::string& section, Declare declare);
 
   /// True where there is no case, only a description of all there could be.
-  bool describing() const { return !database_; }
+  bool describing() const { return !input_; }
 
   const std::deque<OptionEntry>& entries() const { return entries_; }
   /// Attributes by section, for the sections of named items.
@@ -119,18 +128,21 @@ class OptionSet {
   void check_required() const;
 
  private:
-  OptionEntry& add(const std::string& key, const std::string& unit, const std::string& allowed,
+  OptionEntry& add(OptionEntry::Type type, const std::string& key, const std::string& unit, const std::string& allowed,
                    const std::string& text);
   const std::string* given(OptionEntry& entry) const;
   std::size_t choose(OptionEntry& entry, const std::vector<std::string>& words, std::size_t fallback) const;
   double number(const OptionEntry& entry, const std::string& text, const std::string& unit, const Range& range) const;
   int whole_number(const OptionEntry& entry, const std::string& text, int lower) const;
   std::string word(const OptionEntry& entry, const std::string& text, const std::string& expected) const;
-  std::vector<std::string> names(const std::string& section) const;
+  std::vector<std::string> names(const std::string& section);
+  std::string name_in(const std::string& section, const std::string& rest, const std::set<std::string>& known) const;
 
-  const Database* database_ = nullptr;
+  const CaseInput* input_ = nullptr;
   Mode mode_ = Mode::describe;
   std::string group_;
+  std::string item_;                           ///< the named item that is being declared
+  std::map<std::string, std::string> owners_;  ///< key: the named item that it belongs to
   std::deque<OptionEntry> entries_;
   std::map<std::string, std::vector<std::string>> sections_;
 };
@@ -146,7 +158,8 @@ OptionEntry& OptionSet::choice(const std::string& key, Choice& value, const Choi
     allowed += (i ? ", " : "") + choices[i].first;
     if (choices[i].second == value) chosen = i;
   }
-  OptionEntry& entry = add(key, "-", allowed, text);
+  OptionEntry& entry = add(OptionEntry::Type::choice, key, "-", allowed, text);
+  entry.choices = words;
   value = choices[choose(entry, words, chosen)].second;
   return entry;
 }
@@ -162,7 +175,9 @@ std::vector<Item> OptionSet::named(const std::string& section, Declare declare) 
   for (const std::string& name : names(section)) {
     group(section + " " + name);
     items.emplace_back();
+    item_ = name;
     declare(*this, section + "_" + name + "_", name, items.back());
+    item_.clear();
   }
   return items;
 }

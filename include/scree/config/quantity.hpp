@@ -27,7 +27,7 @@ std::string with_definitions(std::string text, const Definitions& definitions);
 /// The entries of a comma list, without surrounding blanks; empty for an empty text.
 std::vector<std::string> split_list(const std::string& text);
 
-/// The shortest decimal form that reads back as the same number.
-std::string number_text(double value);
+/// The shortest decimal form that reads back as the same number; with `digits`, rounded to so many.
+std::string number_text(double value, int digits = 0);
 
 }  // namespace scree

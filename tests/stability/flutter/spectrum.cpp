@@ -11,7 +11,9 @@
 #include <cstdio>
 
 #include "../../support/sample_problem.hpp"
+#include "scree/app/petsc_session.hpp"
 #include "scree/app/problem_setup.hpp"
+#include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
 
@@ -149,8 +151,7 @@ class Spectrum {
   EPS eps_ = nullptr;
 };
 
-void analyse(const std::string& directory) {
-  const Case scene = read_case();
+void analyse(const std::string& directory, const Case& scene) {
   Evaluation problem(PETSC_COMM_SELF, setup_of(scene));
   const Checkpoint saved = read_checkpoint(directory, scene.box, problem.problem().dm(), problem.fields());
   std::printf("%s, t = %g s, %d unknowns\n", saved.file.c_str(), saved.scalar("time"), problem.size());
@@ -163,13 +164,19 @@ void analyse(const std::string& directory) {
 
 int main(int argc, char** argv) {
   if (argc < 2) return 1;
-  const std::string directory = argv[1];
-  if (SlepcInitialize(&argc, &argv, (directory + "/case.yaml").c_str(), nullptr) != 0) return 1;
+  MPI_Init(&argc, &argv);
   try {
-    scree::test::analyse(directory);
+    const std::string directory = argv[1];
+    scree::CommandLine line = scree::read_command_line({argv + 2, argv + argc});
+    line.case_file = directory + "/case.yaml";
+    const scree::Case scene = scree::read_case(scree::case_input(line));
+    const scree::PetscSession petsc(argv[0], scene.petsc_options);
+    scree::test::check(SlepcInitialize(nullptr, nullptr, nullptr, nullptr));
+    scree::test::analyse(directory, scene);
+    scree::test::check(SlepcFinalize());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "flutter_spectrum: %s\n", error.what());
     return 1;
   }
-  return SlepcFinalize() == 0 ? 0 : 1;
+  return MPI_Finalize();
 }

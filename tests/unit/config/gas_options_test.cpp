@@ -12,19 +12,9 @@ namespace {
 /// The small bin as a bed whose floor brings gas.
 class GasOptions : public Options {
  protected:
-  static void small_bed(const std::string& model) {
+  void small_bed(const std::string& model) {
     small_bin();
     yaml("gas: " + model + "\nboundary: {floor: {kind: gas_inlet, gas_velocity: 22 cm/s}}");
-  }
-
-  /// The error that reading the case throws; one without a key if it throws none.
-  static InputError error_of_case() {
-    try {
-      read_case();
-    } catch (const InputError& error) {
-      return error;
-    }
-    return {"", "", ""};
   }
 };
 
@@ -92,7 +82,7 @@ TEST_F(GasOptions, ProfileAndHistoryOfTheInflow) {
 }
 
 TEST_F(GasOptions, ProfileAxisIsTheFirstOneAlongTheSide) {
-  const auto box = [] {
+  const auto box = [this] {
     clear();
     yaml(
         "dimension: 3\nextent: [1, 2, 3]\ngrid_cells: [2, 2, 3]\nperiodic: [y, z]\ngas: darcy\n"

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "scene.hpp"
+#include "scree/config/case_options.hpp"
 #include "scree/config/quantity.hpp"
 
 namespace scree {
@@ -73,15 +74,13 @@ TEST_F(ReadCase, KeysDoNotDependOnCase) {
   EXPECT_EQ(read_case().friction.model, FrictionModel::critical_state);
 }
 
-TEST_F(ReadCase, CommandLineWinsOverTheFile) {
-  const std::string file = testing::TempDir() + "scree_precedence.yaml";
-  std::ofstream(file) << "friction: {tau: 1 ms, model: relaxed}\nend_time: 2\n";
+TEST_F(ReadCase, WhatComesLaterWins) {
   small_bin();
-  const char* words[] = {"scree", "-friction_tau", "1e-2", "-gravity", "0,-1"};
-  int argc = 5;
-  char** argv = const_cast<char**>(words);
-  ASSERT_EQ(PetscOptionsInsert(nullptr, &argc, &argv, file.c_str()), 0);  // as PetscInitialize does
-  std::remove(file.c_str());
+  yaml("friction: {tau: 1 ms, model: relaxed}\nend_time: 2");
+  yaml("friction_tau: 3 ms");
+  EXPECT_EQ(read_case().friction.tau, 3e-3);
+  set("friction_tau", "1e-2");
+  set("Gravity", "0,-1");
   const Case scene = read_case();
   EXPECT_EQ(scene.friction.tau, 1e-2);
   EXPECT_EQ(scene.time.end_time, 2);
@@ -182,16 +181,75 @@ TEST_F(ReadCase, RemarksOnWhatTheSceneDoesNotUse) {
   EXPECT_TRUE(has_remark(scene, "define_depth is not used"));
 }
 
-TEST_F(ReadCase, PetscOptionsPassAndStayUnused) {
+std::string petsc_value(const Case& scene, const std::string& key) {
+  for (const PetscOption& option : scene.petsc_options)
+    if (option.key == key) return option.value + (option.on_command_line ? " here" : "");
+  return "none";
+}
+
+TEST_F(ReadCase, PetscOptionsOfItsSectionTheTopLevelAndTheCommandLine) {
   small_bin();
-  yaml("snes: {rtol: 1e-9}\nts_monitor:\nmg_levels: {ksp_type: richardson}");
-  EXPECT_NO_THROW(read_case());
-  PetscBool used = PETSC_TRUE;
-  ASSERT_EQ(PetscOptionsUsed(nullptr, "snes_rtol", &used), 0);
-  EXPECT_FALSE(used);
-  PetscInt left = 0;
-  ASSERT_EQ(PetscOptionsAllUsed(nullptr, &left), 0);
-  EXPECT_EQ(left, 3);
+  yaml("snes: {rtol: 1e-9}\nts_monitor:\npetsc: {mg: {levels_ksp_type: richardson}, any_name: [1, 2], ksp_rtol: 1}");
+  set("ksp_rtol", "1e-3");
+  const Case scene = read_case();
+  EXPECT_EQ(scene.petsc_options.size(), 5u);
+  EXPECT_EQ(petsc_value(scene, "snes_rtol"), "1e-9");
+  EXPECT_EQ(petsc_value(scene, "ts_monitor"), "");
+  EXPECT_EQ(petsc_value(scene, "mg_levels_ksp_type"), "richardson");
+  EXPECT_EQ(petsc_value(scene, "any_name"), "1, 2");
+  EXPECT_EQ(petsc_value(scene, "ksp_rtol"), "1e-3 here");
+}
+
+TEST_F(ReadCase, PetscSectionIsForPetscAlone) {
+  small_bin();
+  yaml("petsc: {friction_tau: 1}");
+  const InputError error = error_of_case();
+  EXPECT_EQ(error.key, "petsc: friction_tau");
+  EXPECT_EQ(error.place, "test.yaml:1");
+}
+
+TEST_F(ReadCase, NoOptionOfOursLooksLikeOneOfPetsc) {
+  OptionSet options;
+  GridInput grid;
+  Case scene;
+  declare_all(options, grid, scene);
+  for (const OptionEntry& entry : options.entries()) EXPECT_FALSE(is_petsc_option(entry.key)) << entry.key;
+}
+
+TEST_F(ReadCase, NestingTellsNamesThatFlatKeysLeaveOpen) {
+  small_bin();
+  yaml("gas: darcy\nboundary: {axis_gas: {side: x_lower, kind: symmetry, velocity: [0, 0]}}");
+  const Case scene = read_case();
+  EXPECT_EQ(scene.segments.at(1).condition.name, "axis_gas");
+  set("boundary_axis_gas_velocity", "1, 2");  // the velocity of axis_gas, not the gas_velocity of axis
+  set("boundary_axis_gas_kind", "wall_free_slip");
+  EXPECT_EQ(read_case().segments.at(1).condition.velocity[1], 2);
+  EXPECT_EQ(read_case().segments.at(0).condition.gas_velocity, 0);
+}
+
+TEST_F(ReadCase, FormerNamesAreUnderstoodWithARemark) {
+  small_bin();
+  yaml("void_fraction_floor: 1e-5");
+  Case scene = read_case();
+  EXPECT_EQ(scene.model.void_fraction_floor, 1e-5);
+  EXPECT_TRUE(has_remark(scene, "void_fraction_floor (test.yaml:1) is now called solids_fraction_floor"));
+  set("solids_fraction_floor", "1e-6");
+  scene = read_case();
+  EXPECT_EQ(scene.model.void_fraction_floor, 1e-6);
+  EXPECT_NE(scene.effective_yaml.find("\nsolids_fraction_floor: "), std::string::npos);
+}
+
+TEST_F(ReadCase, ErrorsOfKeysInFilesNameTheirLine) {
+  small_bin();
+  yaml("end_time: 1\nfriction:\n  tau: 1 cm\n");
+  EXPECT_EQ(error_of_case().place, "test.yaml:3");
+  EXPECT_EQ(std::string(error_of_case().what()).find("test.yaml:3: friction_tau = '1 cm': expected a value in s"), 0u);
+  set("friction_tau", "2 cm");
+  EXPECT_EQ(std::string(error_of_case().what()).find("friction_tau = '2 cm': expected a value in s"), 0u);
+  set("friction_tau", "1 ms");
+  yaml("x: 1\nboundary: {wall: {kind: inlet, velocity: [0, 0],\n  until: -1, solids_fraction: 0}}\ndefine: {x: 2}");
+  set("boundary_wall_from", "1");
+  EXPECT_EQ(error_of_case().place, "test.yaml:3");
 }
 
 /// Everything that effective_yaml has to carry.
@@ -213,7 +271,6 @@ ksp_monitor:
 
 TEST_F(ReadCase, EffectiveYamlReadsBackAsTheSameCase) {
   small_bin();
-  erase("initial_bed_solids_fraction");
   yaml(rich_case);
   const Case first = read_case();
   clear();
@@ -229,12 +286,8 @@ TEST_F(ReadCase, EffectiveYamlReadsBackAsTheSameCase) {
   EXPECT_FALSE(second.time.adaptive);
   EXPECT_EQ(second.segments.size(), first.segments.size());
   EXPECT_EQ(second.initial[1].surface, first.initial[1].surface);
-  char rtol[32] = "";
-  PetscBool found = PETSC_FALSE, flag = PETSC_FALSE;
-  ASSERT_EQ(PetscOptionsGetString(nullptr, nullptr, "-snes_rtol", rtol, sizeof rtol, &found), 0);
-  EXPECT_STREQ(rtol, "1e-9");
-  ASSERT_EQ(PetscOptionsHasName(nullptr, nullptr, "-ksp_monitor", &flag), 0);
-  EXPECT_TRUE(flag);
+  EXPECT_EQ(petsc_value(second, "snes_rtol"), "1e-9");
+  EXPECT_EQ(petsc_value(second, "ksp_monitor"), "");
 }
 
 TEST(OptionReport, HelpAndTableNameEveryIdea) {

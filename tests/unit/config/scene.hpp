@@ -1,8 +1,7 @@
-/// A small valid case in PETSc's options database, for tests to change.
+/// A small valid case, for tests to change.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <petscsys.h>
 
 #include <string>
 
@@ -10,21 +9,28 @@
 
 namespace scree {
 
-/// Empties the database before and after each test.
+/// An input that starts empty.
 class Options : public testing::Test {
  protected:
-  void SetUp() override { clear(); }
-  void TearDown() override { clear(); }
+  void clear() { input = CaseInput(); }
 
-  static void clear() { ASSERT_EQ(PetscOptionsClear(nullptr), 0); }
+  /// As a file, or one of overrides.
+  void yaml(const std::string& text) { input.insert(yaml_entries(text, "test.yaml")); }
 
-  static void yaml(const std::string& text) { ASSERT_EQ(PetscOptionsInsertStringYAML(nullptr, text.c_str()), 0); }
+  /// As on the command line.
+  void set(const std::string& key, const std::string& value) { input.set(key, value); }
 
-  static void set(const std::string& key, const std::string& value) {
-    ASSERT_EQ(PetscOptionsSetValue(nullptr, ("-" + key).c_str(), value.c_str()), 0);
+  Case read_case() const { return scree::read_case(input); }
+
+  /// The error that reading the case throws; one without a key if it throws none.
+  InputError error_of_case() const {
+    try {
+      read_case();
+    } catch (const InputError& error) {
+      return error;
+    }
+    return {"", "", ""};
   }
-
-  static void erase(const std::string& key) { ASSERT_EQ(PetscOptionsClearValue(nullptr, ("-" + key).c_str()), 0); }
 
   /// Whether a remark on this case begins like that.
   static bool has_remark(const Case& scene, const std::string& start) {
@@ -34,7 +40,7 @@ class Options : public testing::Test {
   }
 
   /// A bin of 8 cm x 10 cm with cells of 1 cm x 2 cm.
-  static void small_bin() {
+  void small_bin() {
     yaml(R"(
 extent: [8 cm, 10 cm]
 grid: {cells: [8, 5]}
@@ -48,6 +54,8 @@ initial:
   bed: {solids_fraction: 0.6, box: [0, 8 cm, 0, 5 cm]}
 )");
   }
+
+  CaseInput input;
 };
 
 }  // namespace scree

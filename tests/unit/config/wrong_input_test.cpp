@@ -9,7 +9,26 @@
 namespace scree {
 namespace {
 
-using WrongInput = Options;
+class WrongInput : public Options {
+ protected:
+  /// Writes the table, names it as that of the bed, and returns what reading the case says.
+  std::string complaint_on_table(const std::string& text) {
+    const std::string file = testing::TempDir() + "scree_table_" + std::to_string(getpid()) + ".txt";
+    std::ofstream(file) << text;
+    set("initial_bed_table", file);
+    set("initial_bed_table_axis", "y");
+    std::string complaint;
+    try {
+      const Case scene = read_case();
+      EXPECT_EQ(scene.initial.back().table_values.value(0.015), 0.25);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key, "initial_bed_table");
+      complaint = error.expected;
+    }
+    std::remove(file.c_str());
+    return complaint;
+  }
+};
 
 /// Settings on top of the small bin, and what the one line of the error must hold.
 struct Row {
@@ -124,27 +143,8 @@ TEST_F(WrongInput, IsOneShortLineWhateverTheTextsHold) {
   }
 }
 
-/// Writes the table, names it as that of the bed, and returns what reading the case says.
-std::string complaint_on_table(const std::string& text) {
-  const std::string file = testing::TempDir() + "scree_table_" + std::to_string(getpid()) + ".txt";
-  std::ofstream(file) << text;
-  PetscOptionsSetValue(nullptr, "-initial_bed_table", file.c_str());
-  PetscOptionsSetValue(nullptr, "-initial_bed_table_axis", "y");
-  std::string complaint;
-  try {
-    const Case scene = read_case();
-    EXPECT_EQ(scene.initial.back().table_values.value(0.015), 0.25);
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.key, "initial_bed_table");
-    complaint = error.expected;
-  }
-  std::remove(file.c_str());
-  return complaint;
-}
-
 TEST_F(WrongInput, Tables) {
   small_bin();
-  erase("initial_bed_solids_fraction");
   EXPECT_EQ(complaint_on_table("# x nu\n0.01, 0.2\n 0.02 3e-1 \r\n\n"), "");
   EXPECT_NE(complaint_on_table("0 0.2\n1 nan\n").find("two finite numbers each, but it has '1 nan'"),
             std::string::npos);

@@ -1,0 +1,83 @@
+#include "scree/app/program.hpp"
+
+#include <mpi.h>
+
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "scree/app/check_fields.hpp"
+#include "scree/app/petsc_session.hpp"
+#include "scree/app/simulation.hpp"
+#include "scree/config/command_line.hpp"
+#include "scree/config/read_case.hpp"
+
+namespace scree {
+
+namespace {
+
+bool on_first_rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
+
+int complain(const std::string& message) {
+  if (on_first_rank()) std::fprintf(stderr, "scree: %s\n", message.c_str());
+  return 1;
+}
+
+void print(const std::string& text) {
+  if (on_first_rank()) std::printf("%s", text.c_str());
+}
+
+/// Under -check: the case as understood, a YAML file that runs it.
+void print_case(const Case& scene) {
+  for (const std::string& remark : scene.remarks) print("# " + remark + "\n");
+  print(scene.effective_yaml);
+}
+
+void run_case(const char* program, const CaseInput& input, const Parts& parts) {
+  const Case scene = read_case(input, parts.catalogue);
+  const PetscSession petsc(program, scene.petsc_options);
+  petsc.check_options();
+  check_fields(scene, parts.models);
+  if (scene.check_only) return print_case(scene);
+  Progress log(PETSC_COMM_WORLD);
+  for (const std::string& remark : scene.remarks) log.remark("%s", remark.c_str());
+  Simulation(PETSC_COMM_WORLD, scene, parts.models, log).run();
+  for (const std::string& key : petsc.unused()) log.remark("%s is not used: PETSc has not asked for it", key.c_str());
+}
+
+void run(const char* program, const CommandLine& line, const Parts& parts) {
+  if (line.has("help") || line.has("h") || (line.case_file.empty() && line.options.empty()))
+    return print("usage: mpirun -n RANKS scree CASE.yaml [-option value ...]\n" + help_text(parts.catalogue));
+  if (line.has("print_options")) return print(option_table_markdown(parts.catalogue));
+  if (line.has("schema")) return print(json_schema(parts.catalogue));
+  const CaseInput input = case_input(line);
+  try {
+    run_case(program, input, parts);
+  } catch (const InputError& error) {
+    throw located(error, input);
+  }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Parts& parts) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, not the end of the process
+  MPI_Init(&argc, &argv);
+  int status = 0;
+  try {
+    run(argv[0], read_command_line({argv + 1, argv + argc}), parts);
+  } catch (const std::bad_alloc&) {
+    status = complain("the memory of this machine is too small for the case");
+  } catch (const std::exception& error) {
+    status = complain(error.what());
+  }
+  MPI_Finalize();
+  return status;
+}
+
+}  // namespace scree

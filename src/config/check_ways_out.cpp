@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <set>
+
+#include "scree/config/case_options.hpp"
+#include "scree/config/connected_parts.hpp"
+#include "scree/config/side_samples.hpp"
+
+namespace scree {
+namespace {
+
+/// What bounds one part of the box at a time, with the area that it has there.
+struct Exposed {
+  const Segment* segment;
+  double area;
+};
+
+bool brings_gas_at(const Segment& segment, double time) {
+  const Condition& condition = segment.condition;
+  if (!condition.kind.brings_gas()) return false;
+  const std::vector<double>& factors = condition.gas_profile.factor;
+  const bool profile =
+      factors.empty() || std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; });
+  return profile && condition.gas_velocity != 0 && condition.gas_history.value(time) != 0;
+}
+
+/// Volume of particles that comes in, an area and a time; negative for what is taken out [m/s].
+double particle_inflow(const Segment& segment) {
+  const Condition& condition = segment.condition;
+  if (!condition.kind.brings_solids()) return 0;
+  return condition.brought(SolidsContinuity::unknown) * condition.velocity[segment.axis] * (segment.upper ? -1 : 1);
+}
+
+/// Adds the times of a history, and those at which it passes zero, so that in between it is zero always or never.
+void add_cuts(const Ramp& history, std::set<double>& cuts) {
+  const auto& [at, factor] = history;
+  cuts.insert(at.begin(), at.end());
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    if (factor[i - 1] * factor[i] < 0)
+      cuts.insert(at[i - 1] + (at[i] - at[i - 1]) * factor[i - 1] / (factor[i - 1] - factor[i]));
+  }
+}
+
+/// Solids fraction that a place has at least from the start: profiles and tables count for nothing.
+double initial_solids(const Case& scene, const std::array<double, max_dim>& place) {
+  double nu = 0;
+  for (const InitialRegion& region : scene.initial) {
+    bool there = region.gives_solids_fraction();
+    for (int axis = 0; axis < scene.box.dim; ++axis)
+      there = there && place[axis] >= region.lower[axis] && place[axis] <= region.upper[axis];
+    if (!there) continue;
+    nu = region.has_own_solids_fraction() ? 0 : region.find(SolidsContinuity::unknown)->value[0];
+  }
+  return nu;
+}
+
+std::vector<Patch> boxes_of(const std::vector<InitialRegion>& regions) {
+  std::vector<Patch> boxes;
+  for (const InitialRegion& region : regions) {
+    Patch box;
+    box.lower = region.lower;
+    box.upper = region.upper;
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// The connected parts of the box, and what bounds each in time.
+class WaysOut {
+ public:
+  explicit WaysOut(const Case& scene)
+      : scene_(scene), parts_(scene.box, scene.segments, scene.plates, boxes_of(scene.initial)) {
+    for (int axis = 0; axis < scene.box.dim; ++axis) {
+      for (const bool upper : {false, true}) sides_[axis][upper] = segments_of_side(scene.segments, axis, upper);
+    }
+    cuts_ = {0.0, scene.time.end_time > 0 ? scene.time.end_time : 1.0};
+    for (const Segment& segment : scene.segments) {
+      cuts_.insert({segment.condition.from, segment.condition.until});
+      add_cuts(segment.condition.gas_history, cuts_);
+    }
+    for (const Block& block : parts_.blocks())
+      if (block.part >= static_cast<int>(places_.size())) places_.push_back(block.centre);
+  }
+
+  /// Gas cannot be compressed: a part into which gas or particles come needs an open side at all times.
+  void check_gas() const {
+    for (const double time : times()) {
+      for (int part = 0; part < parts_.count(); ++part) {
+        const std::vector<Exposed> bounds = bounds_of(part, time);
+        if (is_open(bounds)) continue;
+        const std::string expected =
+            "an open side, where the gas can leave; there is none at time " + number_text(time) + " s" + around(part);
+        for (const auto& [segment, area] : bounds) {
+          const std::string key = "boundary_" + segment->condition.name + "_";
+          if (brings_gas_at(*segment, time))
+            throw InputError(key + "gas_velocity", number_text(segment->condition.gas_velocity) + " m/s", expected);
+          if (particle_inflow(*segment) != 0) throw velocity_error(*segment, expected);
+        }
+      }
+    }
+  }
+
+  /// Without gas: particles fill a part that is never open; they have to find room until the end.
+  void check_room() const {
+    for (int part = 0; part < parts_.count(); ++part) {
+      const std::vector<double> middle = times();
+      const Segment* inlet = nullptr;
+      double inflow = 0;
+      bool open = false;
+      std::set<double>::const_iterator cut = cuts_.lower_bound(0.0);
+      for (const double time : middle) {
+        const double duration = 2 * (time - *cut);
+        ++cut;
+        const std::vector<Exposed> bounds = bounds_of(part, time);
+        open = open || is_open(bounds);
+        for (const auto& [segment, area] : bounds) {
+          inflow += particle_inflow(*segment) * area * duration;
+          if (particle_inflow(*segment) > 0) inlet = segment;
+        }
+      }
+      const double room = room_in(part);
+      if (!open && inlet && inflow > room * (1 + 1e-6))
+        throw velocity_error(*inlet, "an open side, where particles can leave, or less of them: until " +
+                                         number_text(scene_.time.end_time) + " s they would take " +
+                                         (room > 0 ? number_text(inflow / room, 3) + " times" : "more than") +
+                                         " the room that is left" + around(part));
+    }
+  }
+
+ private:
+  std::vector<double> times() const {
+    return middles(cuts_, 0.0, scene_.time.end_time > 0 ? scene_.time.end_time : 1.0);
+  }
+
+  std::vector<Exposed> bounds_of(int part, double time) const {
+    std::vector<Exposed> found;
+    for (const SideFace& face : parts_.side_faces()) {
+      if (face.part != part) continue;
+      const Segment* segment = holding(sides_[face.axis][face.upper], face.centre, scene_.box.dim, time);
+      if (segment) found.push_back({segment, face.area});
+    }
+    return found;
+  }
+
+  static bool is_open(const std::vector<Exposed>& bounds) {
+    return std::any_of(bounds.begin(), bounds.end(),
+                       [](const Exposed& exposed) { return exposed.segment->condition.kind.open_to_gas(); });
+  }
+
+  double room_in(int part) const {
+    double room = 0;
+    for (const Block& block : parts_.blocks())
+      if (block.part == part) room += block.volume * (scene_.kinetic.nu_max - initial_solids(scene_, block.centre));
+    return room;
+  }
+
+  /// Which part, where there are several.
+  std::string around(int part) const {
+    if (parts_.count() == 1) return "";
+    std::string place;
+    for (int axis = 0; axis < scene_.box.dim; ++axis)
+      place += (axis ? ", " : "") + number_text(places_[static_cast<std::size_t>(part)][axis], 4);
+    return " in the part of the box around (" + place + ") m, which plates close off";
+  }
+
+  static InputError velocity_error(const Segment& segment, const std::string& expected) {
+    return InputError("boundary_" + segment.condition.name + "_velocity",
+                      number_text(segment.condition.velocity[segment.axis]) + " m/s", expected);
+  }
+
+  const Case& scene_;
+  const ConnectedParts parts_;
+  std::array<std::array<std::vector<Segment>, 2>, max_dim> sides_;
+  std::set<double> cuts_;
+  std::vector<std::array<double, max_dim>> places_;  ///< one in each part
+};
+
+}  // namespace
+
+void check_ways_out(const Case& scene) {
+  const WaysOut ways(scene);
+  if (scene.gas.model != GasModel::none)
+    ways.check_gas();
+  else if (scene.model.solids_moving && scene.time.end_time > 0)
+    ways.check_room();
+}
+
+}  // namespace scree
