@@ -22,8 +22,8 @@ double reduced(double value, MPI_Op operation, DM dm) {
 Measures::Measures(const Case& scene, const DiscreteProblem& problem)
     : scene_(scene),
       problem_(problem),
-      with_gas_(problem.model().gas_pressure() >= 0),
-      has_gas_velocity_(problem.model().gas_velocity(0) >= 0),
+      with_gas_(problem.model().component<GasContinuity>() >= 0),
+      has_gas_velocity_(problem.model().component<GasMomentum>() >= 0),
       derived_(derived_fields(problem.setup().model, problem.setup().solids)) {
   const double missing =
       std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
