@@ -1,3 +1,4 @@
+#include "scree/closures/rheology.hpp"
 #include "scree/config/case_options.hpp"
 
 namespace scree {
@@ -71,7 +72,7 @@ void declare_inlet_values(OptionSet& o, const std::string& key, const Case& scen
   o.real(key + "frictional_pressure_ratio", condition.chi, "-", non_negative(), "of what an inlet brings")
       .symbol("chi")
       .used_if(inlet, no_inlet)
-      .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+      .used_if(scene.friction.model->has_unknown, "friction_model is not relaxed");
 }
 
 void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,

@@ -1,3 +1,4 @@
+#include "scree/closures/rheology.hpp"
 #include "scree/config/case_options.hpp"
 
 namespace scree {
@@ -65,7 +66,7 @@ void declare_values(OptionSet& o, const std::string& key, const GridInput& grid,
       o.real(key + "frictional_pressure_ratio", region.chi, "-", non_negative(), "scaled frictional pressure")
           .symbol("chi")
           .unset_by_default("unchanged")
-          .used_if(scene.friction.model == FrictionModel::relaxed, "friction_model is not relaxed")
+          .used_if(scene.friction.model->has_unknown, "friction_model is not relaxed")
           .given;
   region.has_gas_velocity = o.vector(key + "gas_velocity", region.gas_velocity, grid.dim, "m/s",
                                      "velocity of the gas, before it is made consistent with (2)")

@@ -25,8 +25,8 @@ std::unique_ptr<Model> with_gas(const ModelSetup& setup) {
 std::pair<int, int> model_extent(int dim, const ModelParameters& model, const SolidsParameters& solids) {
   const GasModel gas = solids.gas.model;
   const int unknowns = 1 + dim + (model.temperature == TemperatureModel::transport ? 1 : 0) +
-                       (solids.friction.model == FrictionModel::relaxed ? 1 : 0) +
-                       (gas == GasModel::incompressible ? dim : 0) + (gas != GasModel::none ? 1 : 0);
+                       (solids.friction.model->has_unknown ? 1 : 0) + (gas == GasModel::incompressible ? dim : 0) +
+                       (gas != GasModel::none ? 1 : 0);
   return {unknowns, model.advection == AdvectionScheme::upwind ? 2 : 3};
 }
 
