@@ -1,26 +1,26 @@
 #include <cmath>
 
+#include "scree/closures/friction_pressure/power.hpp"
+#include "scree/closures/rheology.hpp"
 #include "scree/config/case_options.hpp"
+#include "scree/config/variant_choices.hpp"
 
 namespace scree {
 
 void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
                       KineticParameters& kinetic) {
   o.group("friction");
-  o.choice("friction_model", friction.model,
-           {{"none", FrictionModel::none},
-            {"critical_state", FrictionModel::critical_state},
-            {"instantaneous", FrictionModel::instantaneous},
-            {"relaxed", FrictionModel::relaxed}},
-           "frictional stress: absent, (22), (20) with chi = chi* (21), (20) with (23)");
-  const bool some = friction.model != FrictionModel::none;
+  OptionSet::Choices<FrictionModel> models;
+  for (const FrictionModel model : friction_models()) models.emplace_back(model->name, model);
+  o.choice("friction_model", friction.model, models, variant_text("frictional stress", friction_models()));
+  const bool some = friction.model->has_friction;
   const bool with_chi = friction.model == FrictionModel::relaxed || friction.model == FrictionModel::instantaneous;
   const std::string absent = "friction_model is none";
   const std::string no_chi = "friction_model is neither relaxed nor instantaneous";
 
   o.real("friction_tau", friction.tau, "s", positive(), "relaxation time of chi, eq. (23)")
       .symbol("tau")
-      .used_if(friction.model == FrictionModel::relaxed, "friction_model is not relaxed");
+      .used_if(friction.model->has_unknown, "friction_model is not relaxed");
   o.boolean(
        "friction_lagged", friction.lagged,
        "for studies, with fixed steps of beuler: chi of a step is taken from the state before it, through (21) or a "
@@ -37,17 +37,23 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
   o.real("friction_exponent_compaction", friction.n_compaction, "-", greater_than_one(), "n of (14) where div v < 0")
       .symbol("n")
       .used_if(with_chi, no_chi);
+  o.choice("friction_pressure", friction.pressure, variant_choices(friction_pressures()),
+           variant_text("critical-state pressure p_c(nu)", friction_pressures()))
+      .symbol("p_c")
+      .used_if(some, absent);
+  const bool power = some && friction.pressure == &friction_pressure_entry<PowerPressure>;
+  const std::string no_power = some ? "friction_pressure is not power" : absent;
   o.real("friction_pressure_constant", friction.F, "Pa", positive(), "constant of p_c, eq. (18)")
       .symbol("F")
-      .used_if(some, absent);
+      .used_if(power, no_power);
   o.real("friction_pressure_exponent_r", friction.r, "-", positive(), "exponent of nu - nu_min in (18)")
       .symbol("r")
-      .used_if(some, absent);
+      .used_if(power, no_power);
   o.real("friction_pressure_exponent_s", friction.s, "-", positive(), "exponent of nu_max - nu in (18)")
       .symbol("s")
-      .used_if(some, absent);
+      .used_if(power, no_power);
   o.real("friction_solids_fraction_min", friction.nu_min, "-", from_zero_below(friction.nu_max, "solids_fraction_max"),
-         "solids fraction from which friction acts, eq. (18)")
+         "solids fraction from which p_c acts, eq. (18)")
       .symbol("nu_min")
       .used_if(some, absent);
   o.boolean("friction_strain_rate_fluctuation", friction.strain_rate_fluctuation,

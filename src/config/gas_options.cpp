@@ -1,4 +1,6 @@
+#include "scree/closures/drag.hpp"
 #include "scree/config/case_options.hpp"
+#include "scree/config/variant_choices.hpp"
 
 namespace scree {
 
@@ -21,6 +23,9 @@ void declare_gas(OptionSet& o, Case& scene) {
       .symbol("rho_g")
       .used_if(some, absent);
   o.real("gas_viscosity", gas.mu_g, "Pa s", positive(), "viscosity of the gas").symbol("mu_g").used_if(some, absent);
+  o.choice("drag_law", gas.drag_law, variant_choices(drag_laws()), variant_text("drag of the gas", drag_laws()))
+      .symbol("beta")
+      .used_if(some, absent);
   o.boolean("gas_viscous_stress", model.gas_viscous_stress, "sigma_g of (5) with its viscous part; no: sigma_g = p_g I")
       .symbol("sigma_g")
       .used_if(gas.model == GasModel::incompressible, "gas is not incompressible");

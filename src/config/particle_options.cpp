@@ -1,4 +1,5 @@
 #include "scree/config/case_options.hpp"
+#include "scree/config/variant_choices.hpp"
 
 namespace scree {
 namespace {
@@ -16,8 +17,12 @@ void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParamet
          "restitution between particles, eta = (1 + e_p)/2 in (1.1)-(1.6)")
       .symbol("e_p");
   o.real("solids_fraction_max", kinetic.nu_max, "-", {0, densest_packing, false, true, "in (0, 0.7405]"},
-         "solids fraction at which (1.7) and (18) diverge")
+         "solids fraction at which (1.7) and (18) diverge; a bed stays below it")
       .symbol("nu_max");
+  o.choice(
+       "radial_distribution", kinetic.g0, variant_choices(radial_distributions()),
+       variant_text("radial distribution at contact, in all kinetic closures and wall laws", radial_distributions()))
+      .symbol("g0");
   friction.d = kinetic.d;
   friction.nu_max = kinetic.nu_max;
   wall.nu_max = kinetic.nu_max;

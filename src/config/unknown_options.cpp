@@ -18,7 +18,7 @@ Range range_of(Allowed allowed, const Case& scene) {
 std::string absence(const Case& scene, const Unknown& unknown) {
   if (&unknown == &GranularEnergy::unknown && scene.model.temperature != TemperatureModel::transport)
     return "granular_temperature is not transport";
-  if (&unknown == &FrictionRelaxation::unknown && scene.friction.model != FrictionModel::relaxed)
+  if (&unknown == &FrictionRelaxation::unknown && !scene.friction.model->has_unknown)
     return "friction_model is not relaxed";
   if (&unknown == &GasMomentum::unknown && scene.gas.model != GasModel::incompressible)
     return "gas is not incompressible";

@@ -250,6 +250,20 @@ TEST_P(Jacobian, ShiftMultipliesTheDerivativeWithRespectToRates) {
   EXPECT_TRUE(depends) << "no row depends on the rates";
 }
 
+TEST(JacobianOfClosures, BlocksMatchDifferences) {
+  for (const GasModel gas : {GasModel::none, GasModel::darcy, GasModel::incompressible})
+    for (const TemperatureModel temperature : {TemperatureModel::transport, TemperatureModel::algebraic}) {
+      const Combination c{2, FrictionModel::relaxed, temperature, AdvectionScheme::upwind, gas};
+      for (const NamedScene& scene : scenes_of_closures(sample_setup(c))) {
+        Evaluation problem(PETSC_COMM_WORLD, scene.setup);
+        for (const auto& [name, regime] : {std::pair("dense", Regime::dense), std::pair("dilute", Regime::dilute)}) {
+          SCOPED_TRACE(name_of(c) + ", " + scene.name + ", " + name);
+          check_blocks(problem, sample(problem, regime, 2), 30.0, 2);
+        }
+      }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Jacobian, testing::ValuesIn(combinations()),
                          [](const auto& instance) { return name_of(instance.param); });
 

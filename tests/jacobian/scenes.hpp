@@ -18,13 +18,11 @@ struct Combination {
 };
 
 inline std::string name_of(const Combination& c) {
-  static const char* const frictions[] = {"none", "critical_state", "instantaneous", "relaxed"};
   static const char* const temperatures[] = {"transport", "algebraic", "constant"};
   static const char* const schemes[] = {"upwind", "van_albada"};
   static const char* const gases[] = {"", "_darcy", "_incompressible"};
-  return std::to_string(c.dim) + "d_" + frictions[static_cast<int>(c.friction)] + '_' +
-         temperatures[static_cast<int>(c.temperature)] + '_' + schemes[static_cast<int>(c.advection)] +
-         gases[static_cast<int>(c.gas)];
+  return std::to_string(c.dim) + "d_" + c.friction->name + '_' + temperatures[static_cast<int>(c.temperature)] + '_' +
+         schemes[static_cast<int>(c.advection)] + gases[static_cast<int>(c.gas)];
 }
 
 /// All combinations without gas; for each gas model some that hold every layout (T or not, chi or not) with both
@@ -237,6 +235,24 @@ inline std::vector<NamedScene> scenes_of_gas(const ProblemSetup& base) {
   ProblemSetup& alone = add("gas alone");
   alone.model.solids_moving = false;
   alone.model.gas_alone = true;
+  return scenes;
+}
+
+/// Each closure that can be chosen: drag laws, g0 and p_c.
+inline std::vector<NamedScene> scenes_of_closures(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes;
+  const auto add = [&](const std::string& what, const char* name) -> SolidsParameters& {
+    scenes.push_back({what + ' ' + name, base});
+    return scenes.back().setup.solids;
+  };
+  if (base.solids.gas.model != GasModel::none)
+    for (const DragLaw* law : drag_laws()) add("drag law", law->name).gas.drag_law = law;
+  for (const RadialDistribution* g0 : radial_distributions()) add("radial distribution", g0->name).kinetic.g0 = g0;
+  for (const FrictionPressure* p_c : friction_pressures()) {
+    SolidsParameters& solids = add("friction pressure", p_c->name);
+    solids.friction.pressure = p_c;
+    if (p_c != default_friction_pressure()) solids.friction.nu_min = .56;  // about where a penalty lets a bed be
+  }
   return scenes;
 }
 

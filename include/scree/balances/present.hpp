@@ -19,7 +19,7 @@ inline bool is_present(const Unknown& unknown, const ModelParameters& model, con
   if (&unknown == &GasMomentum::unknown) return solids.gas.model == GasModel::incompressible;
   if (&unknown == &GasContinuity::unknown) return solids.gas.model != GasModel::none;
   if (&unknown == &GranularEnergy::unknown) return model.temperature == TemperatureModel::transport;
-  if (&unknown == &FrictionRelaxation::unknown) return solids.friction.model == FrictionModel::relaxed;
+  if (&unknown == &FrictionRelaxation::unknown) return solids.friction.model->has_unknown;
   return false;
 }
 

@@ -1,19 +1,39 @@
-/// Frictional stress, eqs. (10)-(24).
+/// Frictional stress, eqs. (10)-(24): parameters, p_c, and the yield surface and flow rule that rheologies share.
 #pragma once
 
 #include <limits>
+#include <vector>
 
+#include "scree/closures/friction_pressure.hpp"
 #include "scree/math/dual.hpp"
 
 namespace scree {
 
-/// The four frictional models of the paper, see src/MODEL.md, section 4.
-enum class FrictionModel { none, critical_state, instantaneous, relaxed };
+struct Rheology;  // rheology.hpp
+
+/// The frictional model of a case: a rheology, by reference. The four of the paper have names here; FrictionModel(
+/// rheology<R>) of solids_closures.hpp is one from outside.
+class FrictionModel {
+ public:
+  constexpr explicit FrictionModel(const Rheology& rheology) : rheology_(&rheology) {}
+  static const FrictionModel none, critical_state, instantaneous, relaxed;
+
+  const Rheology* operator->() const { return rheology_; }
+  friend bool operator==(FrictionModel a, FrictionModel b) { return a.rheology_ == b.rheology_; }
+  friend bool operator!=(FrictionModel a, FrictionModel b) { return a.rheology_ != b.rheology_; }
+
+ private:
+  const Rheology* rheology_;
+};
+
+/// The models that options offer: none, critical_state, instantaneous, relaxed and what was appended.
+std::vector<FrictionModel>& friction_models();
 
 /// Parameters of the frictional closures (SI units).
 struct FrictionParameters {
   FrictionModel model = FrictionModel::relaxed;
-  double phi = 0.49741883681838395;     ///< angle of internal friction [rad], 28.5 deg
+  const FrictionPressure* pressure = default_friction_pressure();  ///< p_c, one of friction_pressures()
+  double phi = 0.49741883681838395;                                ///< angle of internal friction [rad], 28.5 deg
   double n_dilation = 1.8149628088422;  ///< exponent n where div v >= 0: sqrt(3)/(2 sin phi) [-]
   double n_compaction = 1.03;           ///< exponent n where div v < 0 [-]
   double F = 0.05;                      ///< constant of (18) [Pa]
@@ -60,14 +80,13 @@ Number real_power(const Number& x, double exponent) {
   return exponent >= 0 && exponent == whole && whole <= 16 ? integer_power(x, whole) : Number(pow(x, exponent));
 }
 
-/// Critical-state pressure p_c, eq. (18) [Pa]; 0 up to nu_min, where it starts with zero slope (r > 1).
-/// Infinite from nu_max on: such a trial state is for the solver to refuse, it is not capped here.
+/// Critical-state pressure p_c by the variant of the case, eq. (18) by default [Pa]; 0 up to nu_min, where it starts
+/// with zero slope. Infinite from nu_max on: such a trial state is for the solver to refuse, it is not capped here.
 template <class Number>
 Number critical_pressure(const Number& nu, const FrictionParameters& p) {
   if (nu <= p.nu_min) return Number(0.0);
   if (nu >= p.nu_max) return Number(std::numeric_limits<double>::infinity());
-  return through([&](const auto& x) { return p.F * real_power(x - p.nu_min, p.r) / real_power(p.nu_max - x, p.s); },
-                 nu);
+  return by_one_argument<FrictionPressureFunction>(p.pressure->p_c, nu, p);
 }
 
 /// Exponent n of (21): the one of dilation or of compaction by the sign of div v. (21) is continuous across the switch
@@ -139,31 +158,6 @@ Number yield_factor(const Number& chi, const Number& div_v, const Number& gamma,
   const Number dilating = 0.5 + x * (0.75 - 0.25 * x * x);  // 0 to 1, smooth at both ends
   return dilating * yield_factor_of_branch(chi, p.n_dilation, p) +
          (1.0 - dilating) * yield_factor_of_branch(chi, p.n_compaction, p);
-}
-
-/// sigma_f = pressure I - 2 viscosity S.
-template <class Number>
-struct FrictionalStress {
-  Number pressure;   ///< p_f [Pa]
-  Number viscosity;  ///< -A/(2 gamma) [Pa s]
-};
-
-/// Frictional stress, (20) with the chi of the model: `relaxed` takes `chi` as given, `critical_state` chi = 1 (22),
-/// `instantaneous` chi = chi* (21), `none` is zero. p_c from critical_pressure, gamma from fluctuating_strain_rate.
-template <class Number>
-FrictionalStress<Number> frictional_stress(const Number& p_c, const Number& chi, const Number& div_v,
-                                           const Number& gamma, const FrictionParameters& p) {
-  if (p.model == FrictionModel::none || p_c == 0.0) return {Number(0.0), Number(0.0)};
-  if (p.model == FrictionModel::critical_state) return {p_c, friction_coefficient(p) * p_c / (2.0 * gamma)};
-  if (p.model == FrictionModel::relaxed) {
-    const Number p_f = chi * p_c;
-    return {p_f, p_f * yield_factor(chi, div_v, gamma, p) / (2.0 * gamma)};
-  }
-  // chi and chi^(1/(n-1)) come from one base: no power of 33 to undo the one of .03.
-  const double n = yield_exponent(div_v, p);
-  const Number base = chi_star_base(div_v, gamma, p);
-  const Number p_f = clipped_power(base, n - 1, dilation_clip_width) * p_c;
-  return {p_f, p_f * yield_factor_of_base(base, n, p) / (2.0 * gamma)};
 }
 
 }  // namespace scree

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "scree/closures/radial_distribution.hpp"
 #include "scree/math/dual.hpp"
 
 namespace scree {
@@ -19,6 +20,7 @@ struct KineticParameters {
   double nu_max = 0.65;   ///< maximum solids packing [-]
   double alpha = 1.6;     ///< constant of (1.1) [-]
   double T_rest = 0;      ///< transported T that collisions leave at nu_max [m2/s2]
+  const RadialDistribution* g0 = default_radial_distribution();  ///< one of radial_distributions()
 };
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -33,18 +35,12 @@ Number sqrt_temperature(const Number& T, double floor) {
   return sqrt(T + floor);
 }
 
-/// Radial distribution at contact g0, eq. (1.7) [-]; infinite from nu_max on: such a trial state is for the solver to
-/// refuse.
-/// Written with 1 - r = (1 - r^3)/(1 + r + r^2), which does not cancel near nu_max. The cube root of (1.7) has an
-/// infinite slope at nu = 0, here limited by a width of 1e-5, the one of the void regularisation of the balances
-/// (relative change of g0: 5e-11 at nu = .5, 1e-9 at .1, 4e-8 at .01).
+/// Radial distribution at contact g0 by the variant of the case, eq. (1.7) by default [-]; infinite from nu_max on:
+/// such a trial state is for the solver to refuse.
 template <class Number>
 Number radial_distribution(const Number& nu, const KineticParameters& p) {
-  constexpr double width = 1e-5;
   if (nu >= p.nu_max) return Number(std::numeric_limits<double>::infinity());
-  const Number y = nu / p.nu_max;
-  const Number r = y / cbrt(y * y + width * width);
-  return p.nu_max * (1.0 + r + r * r) / (p.nu_max - nu);
+  return by_one_argument<RadialDistributionFunction>(p.g0->g0, nu, p.nu_max);
 }
 
 // The dependence of the closures on nu, dimensionless; g0 is passed because all share it.

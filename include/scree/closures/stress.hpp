@@ -4,6 +4,7 @@
 
 #include "scree/closures/friction.hpp"
 #include "scree/closures/gas_damping.hpp"
+#include "scree/closures/rheology.hpp"
 
 namespace scree {
 
@@ -28,35 +29,21 @@ struct SolidsPoint {
   Number slip_squared{0.0};  ///< |u - v|^2, used if there is gas [m2/s2]
 };
 
-/// Names of the entries of cell_closure's result.
-struct CellClosure {
-  enum Entry : std::size_t {
-    pressure,              ///< p of sigma_s = p I - 2 mu S, with the bulk term -eta mu_b div v [Pa]
-    viscosity,             ///< mu of the same, kinetic + frictional [Pa s]
-    energy_source,         ///< -sigma_k : grad v - J_coll - J_vis of (9); 0 up to floors where T is algebraic [W/m3]
-    chi_star,              ///< (21); 1 or 0 for models critical_state and none [-]
-    frictional_pressure,   ///< p_f [Pa]
-    frictional_viscosity,  ///< sigma_f = p_f I - 2 mu_f S [Pa s]
-    temperature,           ///< T of the temperature model [m2/s2]
-    sqrt_temperature,      ///< regularised sqrt(T) [m/s]
-    drag,                  ///< beta of (6), 0 without gas [kg/(m3 s)]
-    drag_over_nu,          ///< beta/nu, 0 without gas [kg/(m3 s)]
-    count
-  };
-};
-
 /// Everything a cell needs, indexed by CellClosure. `T`, `chi` and `slip_squared` are ignored (any constant) where the
-/// models do not take them from the balances. Instantiated for double and Dual<3> ... Dual<6>; meant for `through`:
+/// models do not take them from the balances. Number is double or Dual<3> ... Dual<6>; meant for `through`:
 ///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S, slip_squared)
 template <class Number>
-std::array<Number, CellClosure::count> cell_closure(const Number& nu, const Number& T, const Number& chi,
-                                                    const Number& div_v, const Number& S_S, const Number& slip_squared,
-                                                    const SolidsParameters& p);
+CellClosures<Number> cell_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
+                                  const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
+  return std::get<CellClosureFunction<Number>>(p.friction.model->cell)(nu, T, chi, div_v, S_S, slip_squared, p);
+}
 
 /// The viscosity of cell_closure alone, for shear stresses on edges [Pa s].
 template <class Number>
 Number edge_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                    const Number& slip_squared, const SolidsParameters& p);
+                    const Number& slip_squared, const SolidsParameters& p) {
+  return std::get<EdgeClosureFunction<Number>>(p.friction.model->edge)(nu, T, chi, div_v, S_S, slip_squared, p);
+}
 
 /// kappa such that (1.3) is q = -kappa grad T, with k* of (1.5) if there is gas [kg/(m s)]. For transported T.
 /// Instantiated for double, Dual<2>, Dual<3>.
@@ -64,7 +51,7 @@ template <class Number>
 Number face_conductivity(const Number& nu, const Number& T, const Number& slip_squared, const SolidsParameters& p);
 
 template <class Number>
-std::array<Number, CellClosure::count> cell_closure(const SolidsPoint<Number>& q, const SolidsParameters& p) {
+CellClosures<Number> cell_closure(const SolidsPoint<Number>& q, const SolidsParameters& p) {
   return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, q.slip_squared, p);
 }
 

@@ -351,8 +351,7 @@ std::unique_ptr<Model> choose_model(const ModelSetup& setup) {
                                                             : with(T, chi, std::true_type{});
   };
   const auto with_T = [&](auto T) {
-    return setup.solids.friction.model == FrictionModel::relaxed ? with_chi(T, std::true_type{})
-                                                                 : with_chi(T, std::false_type{});
+    return setup.solids.friction.model->has_unknown ? with_chi(T, std::true_type{}) : with_chi(T, std::false_type{});
   };
   return setup.model.temperature == TemperatureModel::transport ? with_T(std::true_type{}) : with_T(std::false_type{});
 }

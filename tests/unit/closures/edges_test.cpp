@@ -53,7 +53,7 @@ void for_each_model(const Visit& visit) {
 
 std::string describe(const SolidsParameters& p) {
   std::ostringstream text;
-  text << "friction " << static_cast<int>(p.friction.model) << " fluctuation " << p.friction.strain_rate_fluctuation
+  text << "friction " << p.friction.model->name << " fluctuation " << p.friction.strain_rate_fluctuation
        << " temperature " << static_cast<int>(p.temperature) << " gas " << static_cast<int>(p.gas.model) << " d "
        << p.kinetic.d << " floor of T " << p.temperature_floor;
   return text.str();

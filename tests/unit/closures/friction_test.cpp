@@ -5,19 +5,25 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "derivative_check.hpp"
+#include "scree/closures/rheology/critical_state.hpp"
+#include "scree/closures/rheology/instantaneous.hpp"
+#include "scree/closures/rheology/none.hpp"
+#include "scree/closures/rheology/relaxed.hpp"
 
 namespace scree {
 namespace {
 
 const double sin_phi = std::sin(FrictionParameters{}.phi);
 
-FrictionParameters with_model(FrictionModel model) {
-  FrictionParameters p;
-  p.model = model;
-  return p;
+/// Stress of a rheology that takes these from a point alone.
+template <class R, class Number>
+FrictionalStress<Number> stress(const Number& p_c, const Number& chi, const Number& div_v, const Number& gamma,
+                                const FrictionParameters& p) {
+  return R::stress(FrictionalPoint<Number>{Number(.6), Number(0.0), chi, div_v, Number(0.0), p_c, gamma}, p);
 }
 
 // The two branches of (14) meet smoothly about div v = 0, and are themselves beyond the width.
@@ -167,37 +173,36 @@ TEST(YieldFactor, Loci) {
 }
 
 TEST(FrictionalStress, CriticalStateIsDruckerPrager) {
-  FrictionParameters p = with_model(FrictionModel::critical_state);
-  const auto sigma = frictional_stress(100.0, 0.3, 4.0, 5.0, p);  // chi and div v have no effect
+  const FrictionParameters p;
+  const auto sigma = stress<CriticalState>(100.0, 0.3, 4.0, 5.0, p);  // chi and div v have no effect
   EXPECT_EQ(sigma.pressure, 100);
   EXPECT_NEAR(2 * sigma.viscosity * 5, std::sqrt(2.0) * 100 * sin_phi, 1e-12);
 }
 
 TEST(FrictionalStress, NoneIsZero) {
-  const auto sigma = frictional_stress(100.0, 1.0, 4.0, 5.0, with_model(FrictionModel::none));
+  const auto sigma = stress<NoFriction>(100.0, 1.0, 4.0, 5.0, FrictionParameters{});
   EXPECT_EQ(sigma.pressure, 0);
   EXPECT_EQ(sigma.viscosity, 0);
 }
 
 // T2: plane shear stress p_f sin(phi) gdot/sqrt(gdot^2 + 2T/d^2), S:S = gdot^2/2; T3: T -> 0 gives p_f sin(phi).
 TEST(FrictionalStress, PlaneShear) {
-  FrictionParameters p = with_model(FrictionModel::relaxed);
+  FrictionParameters p;
   p.strain_rate_floor = 0;
   const double rate = 8, p_c = 100;
   for (double T : {0.0, 1e-5, 1e-4}) {
-    const auto sigma = frictional_stress(p_c, 1.0, 0.0, fluctuating_strain_rate(rate * rate / 2, T, p), p);
+    const auto sigma = stress<Relaxed>(p_c, 1.0, 0.0, fluctuating_strain_rate(rate * rate / 2, T, p), p);
     EXPECT_NEAR(2 * sigma.viscosity * rate / 2, p_c * sin_phi * rate / std::sqrt(rate * rate + 2 * T / (p.d * p.d)),
                 1e-11);
   }
 }
 
 TEST(FrictionalStress, InstantaneousIsRelaxedAtSteadyChi) {
-  const FrictionParameters instantaneous = with_model(FrictionModel::instantaneous);
-  const FrictionParameters relaxed = with_model(FrictionModel::relaxed);
+  const FrictionParameters p;
   const double gamma = 10, p_c = 100;
   for (double div_v : {-100.0, -20.0, -1e-3, 0.0, 1e-3, 5.0, 8.0}) {
-    const auto a = frictional_stress(p_c, -1.0, div_v, gamma, instantaneous);
-    const auto b = frictional_stress(p_c, chi_star(div_v, gamma, relaxed), div_v, gamma, relaxed);
+    const auto a = stress<Instantaneous>(p_c, -1.0, div_v, gamma, p);
+    const auto b = stress<Relaxed>(p_c, chi_star(div_v, gamma, p), div_v, gamma, p);
     EXPECT_NEAR(a.pressure, b.pressure, 1e-12 * p_c) << "div v = " << div_v;
     // within branch_width relaxed takes a mean of both branches, which differ by chi - 1, of the order of that width
     const bool between = std::abs(div_v) < branch_width * gamma;
@@ -208,63 +213,82 @@ TEST(FrictionalStress, InstantaneousIsRelaxedAtSteadyChi) {
 
 // The smallest principal stress of (10) is not negative where n = sqrt(3)/(2 sin phi): grains do not pull.
 TEST(FrictionalStress, NoTensionInDilation) {
-  const FrictionParameters p = with_model(FrictionModel::relaxed);
+  const FrictionParameters p;
   for (double chi : {0.0, .1, .5, 1.0})
     EXPECT_LE(std::sqrt(2.0 / 3) * yield_factor(chi, 1.0, 1.0, p), 1 + 1e-12) << "chi = " << chi;
 }
 
 /// All frictional closures of x = (nu, T, chi, div_v, S_S).
+template <class R>
 struct AllFriction {
   FrictionParameters p;
   template <class Number>
-  std::array<Number, 6> operator()(const std::array<Number, 5>& x) const {
+  std::array<Number, 7> operator()(const std::array<Number, 5>& x) const {
     const Number gamma = fluctuating_strain_rate(x[4], x[1], p);
     const Number p_c = critical_pressure(x[0], p);
-    const auto sigma = frictional_stress(p_c, x[2], x[3], gamma, p);
-    return {p_c, gamma, chi_star(x[3], gamma, p), yield_factor(x[2], x[3], gamma, p), sigma.pressure, sigma.viscosity};
+    const auto sigma = R::stress(FrictionalPoint<Number>{x[0], x[1], x[2], x[3], x[4], p_c, gamma}, p);
+    return {p_c,
+            gamma,
+            chi_star(x[3], gamma, p),
+            yield_factor(x[2], x[3], gamma, p),
+            sigma.pressure,
+            sigma.viscosity,
+            sigma.steady};
   }
 };
 
-const std::vector<FrictionModel> models = {FrictionModel::none, FrictionModel::critical_state,
-                                           FrictionModel::instantaneous, FrictionModel::relaxed};
+template <class R>
+class EachRheology : public ::testing::Test {};
+using Rheologies = ::testing::Types<NoFriction, CriticalState, Instantaneous, Relaxed>;
+TYPED_TEST_SUITE(EachRheology, Rheologies);
 
-TEST(Friction, DerivativesMatchDifferences) {
-  for (FrictionModel model : models)
-    for (bool fluctuation : {true, false})
-      for (double nu : {.4, .52, .6, .64})
-        for (double chi : {.2, .97, 1.05})
-          for (double div_v : {-400.0, -10.0, -.5, .5, 2.5}) {
-            AllFriction f{with_model(model)};
-            f.p.strain_rate_fluctuation = fluctuation;
-            std::ostringstream state;
-            state << "model " << static_cast<int>(model) << " nu " << nu << " chi " << chi << " div v " << div_v;
-            const double to_foot = std::abs(nu - .5);
-            testing::expect_derivatives_match(f, std::array<double, 5>{nu, 1e-4, chi, div_v, 25},
-                                              {std::min(to_foot, .65 - nu), 1e-4, .03 * chi, std::abs(div_v), 25},
-                                              state.str(), 1e-7);
-          }
+TYPED_TEST(EachRheology, DerivativesMatchDifferences) {
+  for (bool fluctuation : {true, false})
+    for (double nu : {.4, .52, .6, .64})
+      for (double chi : {.2, .97, 1.05})
+        for (double div_v : {-400.0, -10.0, -.5, .5, 2.5}) {
+          AllFriction<TypeParam> f;
+          f.p.strain_rate_fluctuation = fluctuation;
+          std::ostringstream state;
+          state << "nu " << nu << " chi " << chi << " div v " << div_v;
+          const double to_foot = std::abs(nu - .5);
+          testing::expect_derivatives_match(f, std::array<double, 5>{nu, 1e-4, chi, div_v, 25},
+                                            {std::min(to_foot, .65 - nu), 1e-4, .03 * chi, std::abs(div_v), 25},
+                                            state.str(), 1e-7);
+        }
 }
 
-TEST(Friction, FiniteAtTheEdges) {  // H15
+TYPED_TEST(EachRheology, FiniteAtTheEdges) {  // H15
   using D = Dual<5>;
-  for (FrictionModel model : models)
-    for (bool fluctuation : {true, false})
-      for (double nu : {0.0, .5, .5 + 1e-12, .6, .65 - 1e-9})
-        for (double T : {0.0, 1e-14, 1e-4})
-          for (double chi : {0.0, 1e-300, .5, 1.0, 1.1, 1.2, 10.0})
-            for (double div_v : {-1e4, -1e-12, 0.0, 1e-12, 1e4})
-              for (double S_S : {0.0, 1e-14, 25.0}) {
-                AllFriction f{with_model(model)};
-                f.p.strain_rate_fluctuation = fluctuation;
-                const auto result = f(std::array<D, 5>{D::variable(nu, 0), D::variable(T, 1), D::variable(chi, 2),
-                                                       D::variable(div_v, 3), D::variable(S_S, 4)});
-                for (std::size_t r = 0; r < result.size(); ++r) {
-                  std::ostringstream state;
-                  state << "closure " << r << " of model " << static_cast<int>(model) << " at nu " << nu << " T " << T
-                        << " chi " << chi << " div v " << div_v << " S:S " << S_S;
-                  testing::expect_finite(result[r], state.str());
-                }
+  for (bool fluctuation : {true, false})
+    for (double nu : {0.0, .5, .5 + 1e-12, .6, .65 - 1e-9})
+      for (double T : {0.0, 1e-14, 1e-4})
+        for (double chi : {0.0, 1e-300, .5, 1.0, 1.1, 1.2, 10.0})
+          for (double div_v : {-1e4, -1e-12, 0.0, 1e-12, 1e4})
+            for (double S_S : {0.0, 1e-14, 25.0}) {
+              AllFriction<TypeParam> f;
+              f.p.strain_rate_fluctuation = fluctuation;
+              const auto result = f(std::array<D, 5>{D::variable(nu, 0), D::variable(T, 1), D::variable(chi, 2),
+                                                     D::variable(div_v, 3), D::variable(S_S, 4)});
+              for (std::size_t r = 0; r < result.size(); ++r) {
+                std::ostringstream state;
+                state << "closure " << r << " at nu " << nu << " T " << T << " chi " << chi << " div v " << div_v
+                      << " S:S " << S_S;
+                testing::expect_finite(result[r], state.str());
               }
+            }
+}
+
+TYPED_TEST(EachRheology, SteadyValue) {
+  const FrictionParameters p;
+  for (double div_v : {-5.0, 2.0}) {
+    const double steady = stress<TypeParam>(100.0, .9, div_v, 10.0, p).steady;
+    const double expected = !TypeParam::has_friction                   ? 0
+                            : std::is_same_v<TypeParam, CriticalState> ? 1
+                                                                       : chi_star(div_v, 10.0, p);
+    EXPECT_DOUBLE_EQ(steady, expected) << div_v;
+    EXPECT_DOUBLE_EQ(stress<TypeParam>(0.0, .9, div_v, 10.0, p).steady, expected) << "also where p_c is 0";
+  }
 }
 
 }  // namespace

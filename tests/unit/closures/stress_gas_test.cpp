@@ -167,9 +167,9 @@ struct AllStress {
 
 std::string describe(const SolidsParameters& p, const std::array<double, 6>& x) {
   std::ostringstream text;
-  text << "friction " << static_cast<int>(p.friction.model) << " temperature " << static_cast<int>(p.temperature)
-       << " d " << p.kinetic.d << " nu " << x[0] << " T " << x[1] << " chi " << x[2] << " div v " << x[3] << " S:S "
-       << x[4] << " slip^2 " << x[5];
+  text << "friction " << p.friction.model->name << " temperature " << static_cast<int>(p.temperature) << " d "
+       << p.kinetic.d << " nu " << x[0] << " T " << x[1] << " chi " << x[2] << " div v " << x[3] << " S:S " << x[4]
+       << " slip^2 " << x[5];
   return text.str();
 }
 

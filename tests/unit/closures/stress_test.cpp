@@ -74,7 +74,7 @@ TEST(CellClosure, ReferenceValues) {
     const SolidsParameters p = with_models(row.model);
     const auto result = cell_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, 0.0, p);
     std::ostringstream state;
-    state << "model " << static_cast<int>(row.model) << " nu " << row.nu << " div v " << row.div_v;
+    state << "model " << row.model->name << " nu " << row.nu << " div v " << row.div_v;
     const auto expect = [&](CellClosure::Entry entry, double expected) {
       EXPECT_NEAR(result[entry], expected, 1e-8 * std::abs(expected)) << state.str() << " entry " << entry;
     };
@@ -180,8 +180,8 @@ struct AllStress {
 
 std::string describe(const SolidsParameters& p, const std::array<double, 5>& x) {
   std::ostringstream text;
-  text << "friction " << static_cast<int>(p.friction.model) << " temperature " << static_cast<int>(p.temperature)
-       << " nu " << x[0] << " T " << x[1] << " chi " << x[2] << " div v " << x[3] << " S:S " << x[4];
+  text << "friction " << p.friction.model->name << " temperature " << static_cast<int>(p.temperature) << " nu " << x[0]
+       << " T " << x[1] << " chi " << x[2] << " div v " << x[3] << " S:S " << x[4];
   return text.str();
 }
 

@@ -180,8 +180,7 @@ TEST(ColumnAtRest, CarriesItsWeightExactly) {
     for (const auto friction : {FrictionModel::critical_state, FrictionModel::relaxed, FrictionModel::instantaneous})
       for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible}) {
         SCOPED_TRACE("gravity along " + std::string(1, "xyz"[axis]) + ", friction model " +
-                     std::to_string(static_cast<int>(friction)) + ", gas model " +
-                     std::to_string(static_cast<int>(gas)));
+                     std::string(friction->name) + ", gas model " + std::to_string(static_cast<int>(gas)));
         expect_column_at_rest(axis, friction, gas);
       }
 }
@@ -386,7 +385,7 @@ TEST(Signs, ViscosityWallsAndConductionActAgainstDifferences) {
     ProblemSetup setup = sample_setup(uniform_box(3, {4, 4, 4}), friction);
     setup.solids.kinetic.e_p = 1;
     setup.model.void_fraction_floor = 0;
-    SCOPED_TRACE("friction model " + std::to_string(static_cast<int>(friction)));
+    SCOPED_TRACE("friction model " + std::string(friction->name));
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_GT(row_of_raised(setup, "", 1 + axis, {{2, 2, 2}}, 1e-3), 0) << "viscosity on v_"
                                                                           << "xyz"[axis];

@@ -1,0 +1,19 @@
+/// Critical state at any rate of dilation: chi = 1, eq. (22).
+#pragma once
+
+#include "scree/closures/rheology.hpp"
+
+namespace scree {
+
+struct CriticalState {
+  static constexpr const char *name = "critical_state", *source = "(22)";
+  static constexpr bool has_friction = true, has_unknown = false;
+
+  template <class Number>
+  static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), Number(1.0)};
+    return {q.p_c, friction_coefficient(p) * q.p_c / (2.0 * q.gamma), Number(1.0)};
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,21 @@
+/// Flow rule met with a delay: (20) with the transported chi of (23).
+#pragma once
+
+#include "scree/closures/rheology.hpp"
+
+namespace scree {
+
+struct Relaxed {
+  static constexpr const char *name = "relaxed", *source = "(20) with (23)";
+  static constexpr bool has_friction = true, has_unknown = true;
+
+  template <class Number>
+  static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
+    const Number steady = chi_star(q.div_v, q.gamma, p);
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), steady};
+    const Number p_f = q.chi * q.p_c;
+    return {p_f, p_f * yield_factor(q.chi, q.div_v, q.gamma, p) / (2.0 * q.gamma), steady};
+  }
+};
+
+}  // namespace scree
