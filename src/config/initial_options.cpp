@@ -1,4 +1,3 @@
-#include "scree/closures/rheology.hpp"
 #include "scree/config/case_options.hpp"
 
 namespace scree {

@@ -1,3 +1,4 @@
+#include "scree/closures/rheology.hpp"
 #include "scree/config/case_options.hpp"
 
 namespace scree {

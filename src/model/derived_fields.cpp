@@ -5,7 +5,7 @@ namespace scree {
 std::vector<CellClosure::Entry> derived_entries(const ModelParameters& model, const SolidsParameters& solids) {
   std::vector<CellClosure::Entry> list;
   if (model.temperature == TemperatureModel::algebraic) list.push_back(CellClosure::temperature);
-  if (solids.friction.model != FrictionModel::none) list.push_back(CellClosure::frictional_pressure);
+  if (solids.friction.model->has_friction) list.push_back(CellClosure::frictional_pressure);
   return list;
 }
 
