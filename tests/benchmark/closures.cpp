@@ -89,9 +89,9 @@ void add_closures() {
   add<T, chi, div_v, S_S>("friction", [p](const auto& t, const auto& x, const auto& div, const auto& s) {
     using Number = std::decay_t<decltype(x)>;
     const Number gamma = fluctuating_strain_rate(s, t, p.friction);
-    const auto stress = Relaxed::stress(
-        FrictionalPoint<Number>{Number(.6), Number(t), x, Number(div), Number(s), Number(100.0), gamma}, p.friction);
-    return std::array<Number, 3>{stress.pressure, stress.viscosity, stress.steady};
+    const FrictionalPoint<Number> q{Number(.6), Number(t), x, Number(div), Number(s), Number(100.0), gamma};
+    const auto stress = Relaxed::stress(q, p.friction);
+    return std::array<Number, 3>{stress.pressure, stress.viscosity, Relaxed::steady(q, p.friction)};
   });
   add<nu, slip_squared>("drag",
                         [air](const auto& x, const auto& w2) { return drag_over_nu(x, w2, air.kinetic.d, air.gas); });

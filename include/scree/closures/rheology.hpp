@@ -3,10 +3,12 @@
 ///
 ///     struct MyRheology {
 ///       static constexpr const char *name = "my_rheology", *source = "Author (year), equation";
-///       static constexpr bool has_friction = true;  // false: stress is not called, p_c is not evaluated
-///       static constexpr bool has_unknown = false;  // true: chi is transported and relaxes to `steady`, eq. (23)
+///       static constexpr bool has_friction = true;  // false: the functions below are not called
+///       static constexpr bool has_unknown = false;  // true: chi is transported and relaxes to steady, eq. (23)
 ///       template <class Number>
 ///       static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p);
+///       template <class Number>
+///       static Number steady(const FrictionalPoint<Number>& q, const FrictionParameters& p);  // see CellClosure
 ///     };
 ///     friction_models().push_back(FrictionModel(rheology<MyRheology>));  // solids_closures.hpp; before reading a case
 ///
@@ -33,12 +35,11 @@ struct FrictionalPoint {
   Number gamma;  ///< fluctuating_strain_rate [1/s]
 };
 
-/// sigma_f = pressure I - 2 viscosity S, and what chi relaxes to.
+/// sigma_f = pressure I - 2 viscosity S.
 template <class Number>
 struct FrictionalStress {
   Number pressure;   ///< p_f [Pa]
   Number viscosity;  ///< mu_f = -A/(2 gamma) [Pa s]
-  Number steady;     ///< chi* (21), (24) of the flow rule; p_f/p_c where chi is no unknown [-]
 };
 
 /// Names of the entries of cell_closure's result.

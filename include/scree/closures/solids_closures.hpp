@@ -7,16 +7,10 @@
 
 namespace scree {
 
-/// sigma_f by a rheology.
-template <class R, class Number>
-FrictionalStress<Number> frictional_stress(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
-                                           const Number& S_S, const FrictionParameters& p) {
-  if constexpr (R::has_friction)
-    return R::stress(
-        FrictionalPoint<Number>{nu, T, chi, div_v, S_S, critical_pressure(nu, p), fluctuating_strain_rate(S_S, T, p)},
-        p);
-  else
-    return {Number(0.0), Number(0.0), Number(0.0)};
+template <class Number>
+FrictionalPoint<Number> frictional_point(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
+                                         const Number& S_S, const FrictionParameters& p) {
+  return {nu, T, chi, div_v, S_S, critical_pressure(nu, p), fluctuating_strain_rate(S_S, T, p)};
 }
 
 // Arguments one by one: a SolidsPoint by reference would be built in memory, a quarter of the time without gas.
@@ -41,13 +35,19 @@ CellClosures<Number> cell_closure_with(const Gas& gas, const Number& nu, const N
   Number energy_source = 2.0 * shear_heat * S_S - p_k * div_v - J_coll;
   if constexpr (has_gas) energy_source -= viscous_dissipation(theta, sqrt_T, gas.drag, gas.agitation);
 
-  const FrictionalStress<Number> sigma_f = frictional_stress<R>(nu, theta, chi, div_v, S_S, p.friction);
+  FrictionalStress<Number> sigma_f{Number(0.0), Number(0.0)};
+  Number steady = 0.0;
+  if constexpr (R::has_friction) {
+    const FrictionalPoint<Number> at = frictional_point(nu, theta, chi, div_v, S_S, p.friction);
+    sigma_f = R::stress(at, p.friction);
+    steady = R::steady(at, p.friction);
+  }
 
   CellClosures<Number> result;
   result[CellClosure::pressure] = p_k + sigma_f.pressure;
   result[CellClosure::viscosity] = mu_k + sigma_f.viscosity;
   result[CellClosure::energy_source] = energy_source;
-  result[CellClosure::chi_star] = sigma_f.steady;
+  result[CellClosure::chi_star] = steady;
   result[CellClosure::frictional_pressure] = sigma_f.pressure;
   result[CellClosure::frictional_viscosity] = sigma_f.viscosity;
   result[CellClosure::temperature] = theta;
@@ -70,10 +70,10 @@ Number edge_closure_with(const Gas& gas, const Number& nu, const Number& T, cons
   const auto f = kinetic_factors(nu, k);
   const auto [theta, sqrt_T] = temperature(q, f, gas, p);
   const Number mu_k = (k.rho_s * k.d) * damped_shear_factor(nu, f, gas, sqrt_T, k) * sqrt_T;
-  if constexpr (!R::has_friction)
-    return mu_k;
+  if constexpr (R::has_friction)
+    return mu_k + R::stress(frictional_point(nu, theta, chi, div_v, S_S, p.friction), p.friction).viscosity;
   else
-    return mu_k + frictional_stress<R>(nu, theta, chi, div_v, S_S, p.friction).viscosity;
+    return mu_k;
 }
 
 /// cell_closure of a rheology.

@@ -28,10 +28,15 @@ struct MuOfI {
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
-    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), Number(1.0)};
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
     const Number rate = sqrt(2.0 * q.S_S + p.strain_rate_floor * p.strain_rate_floor);
     const Number I = rate * p.d / sqrt(q.p_c / rho_s);
-    return {q.p_c, (mu_s + (mu_2 - mu_s) * I / (I_0 + I)) * q.p_c / rate, Number(1.0)};
+    return {q.p_c, (mu_s + (mu_2 - mu_s) * I / (I_0 + I)) * q.p_c / rate};
+  }
+
+  template <class Number>
+  static Number steady(const FrictionalPoint<Number>&, const FrictionParameters&) {
+    return Number(1.0);
   }
 };
 

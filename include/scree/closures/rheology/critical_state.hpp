@@ -11,8 +11,13 @@ struct CriticalState {
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
-    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), Number(1.0)};
-    return {q.p_c, friction_coefficient(p) * q.p_c / (2.0 * q.gamma), Number(1.0)};
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
+    return {q.p_c, friction_coefficient(p) * q.p_c / (2.0 * q.gamma)};
+  }
+
+  template <class Number>
+  static Number steady(const FrictionalPoint<Number>&, const FrictionParameters&) {
+    return Number(1.0);
   }
 };
 

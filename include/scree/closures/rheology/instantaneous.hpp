@@ -12,12 +12,16 @@ struct Instantaneous {
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
     const double n = yield_exponent(q.div_v, p);
     const Number base = chi_star_base(q.div_v, q.gamma, p);
-    const Number steady = clipped_power(base, n - 1, dilation_clip_width);
-    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), steady};
-    const Number p_f = steady * q.p_c;
-    return {p_f, p_f * yield_factor_of_base(base, n, p) / (2.0 * q.gamma), steady};
+    const Number p_f = clipped_power(base, n - 1, dilation_clip_width) * q.p_c;
+    return {p_f, p_f * yield_factor_of_base(base, n, p) / (2.0 * q.gamma)};
+  }
+
+  template <class Number>
+  static Number steady(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
+    return chi_star(q.div_v, q.gamma, p);
   }
 };
 

@@ -11,7 +11,12 @@ struct NoFriction {
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>&, const FrictionParameters&) {
-    return {Number(0.0), Number(0.0), Number(0.0)};
+    return {Number(0.0), Number(0.0)};
+  }
+
+  template <class Number>
+  static Number steady(const FrictionalPoint<Number>&, const FrictionParameters&) {
+    return Number(0.0);
   }
 };
 

@@ -11,10 +11,14 @@ struct Relaxed {
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
-    const Number steady = chi_star(q.div_v, q.gamma, p);
-    if (q.p_c == 0.0) return {Number(0.0), Number(0.0), steady};
+    if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
     const Number p_f = q.chi * q.p_c;
-    return {p_f, p_f * yield_factor(q.chi, q.div_v, q.gamma, p) / (2.0 * q.gamma), steady};
+    return {p_f, p_f * yield_factor(q.chi, q.div_v, q.gamma, p) / (2.0 * q.gamma)};
+  }
+
+  template <class Number>
+  static Number steady(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
+    return chi_star(q.div_v, q.gamma, p);
   }
 };
 
