@@ -23,7 +23,9 @@ def blocks(text):
 shown = {f"cases/{name}": block for name, block in blocks(GUIDE)}
 steps = sorted((CASES / "guide").glob("*.yaml"))
 checks.equal("files of cases/guide on the page", sorted(shown), [str(path.relative_to(ROOT)) for path in steps])
-for name, block in [*shown.items(), *blocks((ROOT / "README.md").read_text())]:
+readme = blocks((ROOT / "README.md").read_text())
+checks.equal("blocks of YAML in README.md", len(readme), 1)
+for name, block in [*shown.items(), *readme]:
     checks.true(f"block of {name} is the file", (ROOT / name).read_text() == block, "another text")
 checks.equal("blocks of YAML without a file", GUIDE.count("```yaml"), len(shown))
 

@@ -130,12 +130,22 @@ def language_problems(text):
 def citation_problems(root, names):
     """Pages that a source names although the repository has none of that name."""
     for path in files(root, *SOURCES):
-        if path == Path(__file__).resolve():
+        if path.name.startswith("check_pages"):  # itself and its test
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             for cited in CITED.findall(line):
                 if Path(cited).name not in WRITTEN and not any(f"/{name}".endswith(f"/{cited}") for name in names):
                     yield f"{path.relative_to(root)}:{number}: names {cited}, which is not in the repository"
+
+
+def block_problems(text):
+    """Blocks that do not end: what follows them would be read as code."""
+    fences = [number for number, line in enumerate(text.splitlines(), 1) if FENCE.match(line)]
+    if len(fences) % 2:
+        yield fences[-1], "this block of code does not end"
+    starts = [line for line in text.splitlines() if re.match(r"<!-- (generated|kinds|checked): ", line)]
+    if len(starts) != text.splitlines().count(GENERATED_END):
+        yield 1, f"{len(starts)} marked parts begin, {text.splitlines().count(GENERATED_END)} end"
 
 
 def maths_problems(text):
@@ -176,7 +186,7 @@ def main():
         name, text = str(path.relative_to(root)), path.read_text()
         if name.endswith("/page.md"):  # a form that a script fills in
             continue
-        found = list(link_problems(root, path, text))
+        found = [*link_problems(root, path, text), *block_problems(text)]
         if not measured(name):
             found += [*language_problems(text), *maths_problems(text)]
         problems += [f"{name}:{number}: {problem}" for number, problem in sorted(found)]
