@@ -1,5 +1,5 @@
-/// Scree with parts of one's own: a rheology, a drag law, a kind of boundary, and a balance with its unknown. Nothing in
-/// src/ or include/ knows of them. See README.md beside this file.
+/// Scree with parts of one's own: a rheology, a drag law, a kind of boundary, and a balance with its unknown. Nothing
+/// in src/ or include/ knows of them. See README.md beside this file.
 #include "hindered.hpp"
 #include "scree/app/program.hpp"
 #include "scree/config/option_set.hpp"
@@ -17,7 +17,8 @@ std::unique_ptr<scree::Model> make_model_with_tracer(const scree::ModelSetup& se
   if (setup.lattice.dim != 2 || setup.solids.gas.model != GasModel::darcy || setup.solids.friction.model->has_unknown ||
       setup.model.temperature != TemperatureModel::transport || setup.model.advection != AdvectionScheme::upwind)
     throw std::runtime_error(
-        "this program has the model of dimension 2, gas darcy, granular_temperature transport, a friction_model without "
+        "this program has the model of dimension 2, gas darcy, granular_temperature transport, a friction_model "
+        "without "
         "an unknown and advection upwind, and no other");
   return std::make_unique<AssembledModel<Layout<2, true, false, GasModel::darcy, Tracer>, false>>(setup);
 }

@@ -1,5 +1,5 @@
-# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds]): runs NAME.py of the current directory, which starts the
-# program on that many ranks. One rank needs no mpirun.
+# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds] [PROGRAM target]): runs NAME.py of the current directory,
+# which starts the program, scree unless said otherwise, on that many ranks. One rank needs no mpirun.
 set(SCREE_LAUNCHER ${MPIEXEC_EXECUTABLE} --bind-to none --oversubscribe)
 execute_process(COMMAND id -u OUTPUT_VARIABLE user_id OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(user_id EQUAL 0)
@@ -7,7 +7,10 @@ if(user_id EQUAL 0)
 endif()
 
 function(scree_program_test label name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "RANKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;PROGRAM" "RANKS" ${ARGN})
+  if(NOT ARG_PROGRAM)
+    set(ARG_PROGRAM scree)
+  endif()
   if(NOT ARG_RANKS)
     set(ARG_RANKS 1 2)
   endif()
@@ -21,7 +24,7 @@ function(scree_program_test label name)
     endif()
     set(test ${label}.${name}.${ranks}_rank${suffix})
     add_test(NAME ${test}
-      COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:scree> --ranks ${ranks}
+      COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:${ARG_PROGRAM}> --ranks ${ranks}
               --work ${CMAKE_CURRENT_BINARY_DIR}/${name}_${ranks} -- ${SCREE_LAUNCHER})
     set_tests_properties(${test} PROPERTIES LABELS ${label} PROCESSORS ${ranks} TIMEOUT ${ARG_TIMEOUT}
       ENVIRONMENT "OMP_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
