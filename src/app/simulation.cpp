@@ -9,8 +9,8 @@
 #include "scree/output/checkpoint.hpp"
 #include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
-#include "scree/solver/consistent_gas.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/consistent_gas.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree {
 

@@ -22,7 +22,7 @@
 #include "scree/app/problem_setup.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree::test {
 namespace {

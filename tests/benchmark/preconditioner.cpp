@@ -4,8 +4,8 @@
 #include "scenes.hpp"
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
-#include "scree/solver/consistent_gas.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/consistent_gas.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree::benchmarks {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scree/config/case.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree::benchmarks {
 

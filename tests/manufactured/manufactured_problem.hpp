@@ -6,7 +6,7 @@
 #include <map>
 
 #include "../support/sample_problem.hpp"
-#include "scree/solver/orderings.hpp"
+#include "scree/stepping/orderings.hpp"
 #include "sources.hpp"
 
 namespace scree::test {

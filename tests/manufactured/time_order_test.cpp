@@ -9,7 +9,7 @@
 #include "../support/sample_problem.hpp"
 #include "exact_fields.hpp"
 #include "order_table.hpp"
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 namespace scree::test {
 namespace {

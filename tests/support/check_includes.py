@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "operators": {"math", "grid"},
     "boundary": {"math", "closures", "grid", "operators"},
     "equations": {"math", "closures", "grid", "operators", "boundary"},
-    "solver": {"math", "closures", "grid", "operators", "boundary", "equations"},
+    "stepping": {"math", "closures", "grid", "operators", "boundary", "equations"},
     "config": {"math", "closures", "grid", "boundary", "equations"},
     "output": {"math", "grid"},
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree::test {
 

@@ -5,7 +5,7 @@
 
 #include "scree/config/case.hpp"
 #include "scree/output/monitor.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 

@@ -11,8 +11,8 @@
 #include "scree/output/progress.hpp"
 #include "scree/output/stop_request.hpp"
 #include "scree/output/summary.hpp"
-#include "scree/solver/preset_trial.hpp"
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/preset_trial.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 namespace scree {
 

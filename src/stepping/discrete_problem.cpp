@@ -1,4 +1,4 @@
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

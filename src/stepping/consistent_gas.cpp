@@ -1,4 +1,4 @@
-#include "scree/solver/consistent_gas.hpp"
+#include "scree/stepping/consistent_gas.hpp"
 
 namespace scree {
 

@@ -1,9 +1,9 @@
-#include "scree/solver/gas_projection.hpp"
+#include "scree/stepping/gas_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 

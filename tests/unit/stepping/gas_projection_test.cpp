@@ -1,5 +1,5 @@
 /// The projection of u: what is left of div(nu v + (1-nu) u), and what it leaves alone.
-#include "scree/solver/gas_projection.hpp"
+#include "scree/stepping/gas_projection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../../support/sample_problem.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree::test {
 

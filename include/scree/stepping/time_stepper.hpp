@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "scree/solver/newton_limits.hpp"
-#include "scree/solver/newton_tolerance.hpp"
+#include "scree/stepping/newton_limits.hpp"
+#include "scree/stepping/newton_tolerance.hpp"
 
 namespace scree {
 

@@ -1,4 +1,4 @@
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "../../support/sample_problem.hpp"
-#include "scree/solver/preset_trial.hpp"
+#include "scree/stepping/preset_trial.hpp"
 
 namespace scree::test {
 namespace {

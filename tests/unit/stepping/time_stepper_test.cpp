@@ -1,4 +1,4 @@
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 #include <gtest/gtest.h>
 

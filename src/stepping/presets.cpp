@@ -1,9 +1,9 @@
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/presets.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "scree/solver/orderings.hpp"
+#include "scree/stepping/orderings.hpp"
 
 namespace scree {
 

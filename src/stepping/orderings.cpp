@@ -1,4 +1,4 @@
-#include "scree/solver/orderings.hpp"
+#include "scree/stepping/orderings.hpp"
 
 namespace scree {
 

@@ -1,4 +1,4 @@
-#include "scree/solver/newton_limits.hpp"
+#include "scree/stepping/newton_limits.hpp"
 
 #include <gtest/gtest.h>
 

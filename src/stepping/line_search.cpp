@@ -1,4 +1,4 @@
-#include "scree/solver/line_search.hpp"
+#include "scree/stepping/line_search.hpp"
 
 namespace scree {
 

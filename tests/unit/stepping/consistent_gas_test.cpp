@@ -1,5 +1,5 @@
 /// p_g and u made consistent with particles that stand still: the balance of volume, and the drop of pressure by drag.
-#include "scree/solver/consistent_gas.hpp"
+#include "scree/stepping/consistent_gas.hpp"
 
 #include "../../jacobian/scenes.hpp"
 #include "direct_solver.hpp"

@@ -1,10 +1,10 @@
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "scree/solver/line_search.hpp"
+#include "scree/stepping/line_search.hpp"
 
 namespace scree {
 

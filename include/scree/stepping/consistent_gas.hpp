@@ -1,7 +1,7 @@
 /// Consistent p_g and u for a state whose gas is not in balance: at the start, and where the flow of an inlet jumps.
 #pragma once
 
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 namespace scree {
 

@@ -1,4 +1,4 @@
-#include "scree/solver/newton_tolerance.hpp"
+#include "scree/stepping/newton_tolerance.hpp"
 
 #include <gtest/gtest.h>
 

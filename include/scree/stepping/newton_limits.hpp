@@ -3,7 +3,7 @@
 
 #include <petscsnes.h>
 
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "scree/equations/model.hpp"
-#include "scree/solver/gas_projection.hpp"
+#include "scree/stepping/gas_projection.hpp"
 
 namespace scree {
 
