@@ -27,7 +27,7 @@ struct Dependences {
 struct Assembly {
   static constexpr int most_unknowns = 10;  ///< a node
 
-  Scene scene;
+  Scene scene;                                         ///< at whatever time: visitors are given one at theirs
   int unknowns;                                        ///< a node
   std::array<double, most_unknowns> scale, row_scale;  ///< of unknowns and of rows, one a component
   std::vector<std::uint16_t> balance;                  ///< bits of the rows that are balances, over ghosted nodes
@@ -124,7 +124,7 @@ struct Assembly {
   /// What visitors of kernels have in common: the anchor that they are at.
   struct Visitor {
     const Assembly& assembly;
-    Scene here = assembly.scene;
+    Scene here;
 
     void enter(const Index& I) { here.near = assembly.scene.barriers.near(I); }
   };
@@ -133,8 +133,8 @@ struct Assembly {
     const double *state, *rate;
     double* residual;
 
-    ResidualVisitor(const Assembly& a, const double* state_, const double* rate_, double* residual_)
-        : Visitor{a}, state(state_), rate(rate_), residual(residual_) {}
+    ResidualVisitor(const Assembly& a, const Scene& scene, const double* state_, const double* rate_, double* residual_)
+        : Visitor{a, scene}, state(state_), rate(rate_), residual(residual_) {}
 
     template <class Kernel>
     [[gnu::noinline]] void visit(const Index& I) {
@@ -155,7 +155,7 @@ struct Assembly {
   struct PatternVisitor : Visitor {
     EntrySink& sink;
 
-    PatternVisitor(const Assembly& a, EntrySink& sink_) : Visitor{a}, sink(sink_) {}
+    PatternVisitor(const Assembly& a, EntrySink& sink_) : Visitor{a, a.scene}, sink(sink_) {}
 
     template <class Kernel>
     [[gnu::noinline]] void visit(const Index& I) {
@@ -180,9 +180,9 @@ struct Assembly {
     std::ptrdiff_t anchor_entries = 0;  ///< of the anchor before
     double *diagonal, *off_diagonal;
 
-    JacobianVisitor(const Assembly& a, const double* state_, const double* rate_, double shift_,
+    JacobianVisitor(const Assembly& a, const Scene& scene, const double* state_, const double* rate_, double shift_,
                     const EntryPlaces& places, double* diagonal_, double* off_diagonal_)
-        : Visitor{a},
+        : Visitor{a, scene},
           state(state_),
           rate(rate_),
           shift(shift_),
