@@ -35,9 +35,9 @@ Measures::Measures(const Case& scene, const DiscreteProblem& problem) : scene_(s
   }
 }
 
-std::vector<double> Measures::values(Vec state) const {
+std::vector<double> Measures::values(double time, Vec state) const {
   double flux, volume;
-  check_petsc(problem_.outflow(state, Phase::solids, &flux), "outflow");
+  check_petsc(problem_.outflow(time, state, Phase::solids, &flux), "outflow");
   check_petsc(problem_.solids_volume(state, &volume), "solids volume");
   std::vector<double> values{flux * mass_per_volume_, volume * mass_per_volume_, bed_height(state),
                              greatest_speed(state, "v")};
@@ -49,7 +49,8 @@ std::vector<double> Measures::values(Vec state) const {
   }
   for (const FluxPlane& plane : scene_.flux_planes) {
     const auto through = [&](Phase phase) {
-      check_petsc(problem_.plane_flux(state, phase, plane.axis, plane.position, plane.patch, &flux), "flux plane");
+      check_petsc(problem_.plane_flux(time, state, phase, plane.axis, plane.position, plane.patch, &flux),
+                  "flux plane");
       return (plane.upward ? 1 : -1) * flux;
     };
     values.push_back(through(Phase::solids) * mass_per_volume_);

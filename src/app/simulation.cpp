@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
@@ -16,31 +17,6 @@ namespace scree {
 
 namespace {
 
-const char* name_of(SolverPreset preset) {
-  switch (preset) {
-    case SolverPreset::direct:
-      return "direct";
-    case SolverPreset::ilu:
-      return "ilu";
-    case SolverPreset::multigrid:
-      return "multigrid";
-    default:
-      return "fieldsplit";
-  }
-}
-
-const char* name_of(TimeScheme scheme) {
-  return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
-}
-
-void print_solver(MPI_Comm comm, const Case& scene, const Model& model, int fill) {
-  PetscPrintf(comm, "solver preset %s:", name_of(scene.solver.preset));
-  for (const auto& [name, value] :
-       preset_options(name_of(scene.solver.preset), model.unknowns(), model.gas_pressure(), fill))
-    PetscPrintf(comm, " -%s %s", name.c_str(), value.c_str());
-  PetscPrintf(comm, "\n");
-}
-
 PresetTrial::Rule trial_rule(const Case& scene) {
   if (scene.gas.model == GasModel::none) return PresetTrial::without_gas;
   return scene.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction : PresetTrial::with_gas;
@@ -50,20 +26,15 @@ PresetTrial::Rule trial_rule(const Case& scene) {
 
 StepControl Simulation::step_control(const Case& scene) {
   const TimeParameters& t = scene.time;
-  return {name_of(t.scheme), t.step_initial, t.step_min, t.step_max, t.accuracy, t.adaptive, scene.solver.extrapolate};
+  return {t.scheme, {t.step_initial, t.step_min, t.step_max, t.adaptive}, t.accuracy, scene.solver.extrapolate};
 }
 
 Simulation::Simulation(MPI_Comm comm, const Case& scene)
-    : comm_(comm),
-      scene_(scene),
-      problem_(problem_setup(scene)),
-      clock_(comm),
-      first_preset_(scene.solver.preset),
-      trial_(trial_rule(scene)) {
+    : comm_(comm), scene_(scene), problem_(problem_setup(scene)), clock_(comm), trial_(trial_rule(scene)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
-  apply_solver_preset(scene_.solver.preset);
+  print_solver();
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
-  check_petsc(stepper_->create(0), "set-up of the solver");
+  check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
   measures_ = std::make_unique<Measures>(scene_, problem_);
 
   std::vector<ProbePoint> probes;
@@ -79,28 +50,30 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene)
     restart();
 }
 
-void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
-  const Model& model = problem_.model();
-  check_petsc(remove_options(preset_options_), "solver preset");
-  preset_options_.clear();
-  scene_.solver.preset = preset;
-  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.gas_pressure(), &preset_options_, fill),
-              "solver preset");
-  if (scene_.solver.view) print_solver(comm_, scene_, model, fill);
+SolverPreset Simulation::preset() const {
+  return !scene_.solver.preset_given && trial_.multigrid() ? SolverPreset::multigrid : scene_.solver.preset;
 }
 
-void Simulation::apply_trial() {
-  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_, trial_.fill());
+int Simulation::fill() const { return scene_.solver.preset_given ? 0 : trial_.fill(); }
+
+PetscOptionList Simulation::solver_options() const {
+  return preset_options(preset(), problem_.model().unknowns(), problem_.model().gas_pressure(), fill());
+}
+
+void Simulation::print_solver() const {
+  if (!scene_.solver.view) return;
+  PetscPrintf(comm_, "solver preset %s:", name_of(preset()));
+  for (const auto& [name, value] : solver_options()) PetscPrintf(comm_, " -%s %s", name.c_str(), value.c_str());
+  PetscPrintf(comm_, "\n");
 }
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
   if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
-  apply_trial();
-  check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
+  print_solver();
+  check_petsc(stepper_->change_preconditioner(solver_options()), "solver preset");
   PetscPrintf(comm_, "time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on\n", stepper_->time(),
-              trial_.iterations(), name_of(scene_.solver.preset),
-              !trial_.multigrid() && trial_.fill() > 0 ? " with ILU(1)" : "");
+              trial_.iterations(), name_of(preset()), !trial_.multigrid() && fill() > 0 ? " with ILU(1)" : "");
 }
 
 void Simulation::start_new() {
@@ -115,7 +88,8 @@ void Simulation::start_new() {
 /// p_g and u that belong to the rest of the state and to the conditions of this time.
 void Simulation::make_gas_consistent() {
   bool done;
-  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), stepper_->time(), stepper_->state(), &done),
+  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), solver_options(), stepper_->time(),
+                                         stepper_->state(), &done),
               "consistent gas");
   if (!done) PetscPrintf(comm_, "no consistent gas pressure found at t = %g s: it starts as it is\n", stepper_->time());
 }
@@ -130,28 +104,19 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
-  trial_.state() = {saved.scalar("trial_multigrid", 0) > 0,
-                    static_cast<int>(saved.scalar("trial_fill", 0)),
-                    static_cast<int>(saved.scalar("trial_newton", 0)),
-                    static_cast<int>(saved.scalar("trial_krylov", 0)),
-                    static_cast<int>(saved.scalar("trial_returns", 0)),
-                    static_cast<int>(saved.scalar("trial_windows", 0)),
-                    static_cast<int>(saved.scalar("trial_since_failure", PresetTrial::seldom)),
-                    saved.scalar("trial_with_first", 0),
-                    saved.scalar("trial_with_multigrid", 0)};
-  if (!scene_.solver.preset_given && (trial_.multigrid() || trial_.fill() > 0)) apply_trial();
+  const auto restore = [&](const char* name, auto& member) {
+    member = static_cast<std::remove_reference_t<decltype(member)>>(saved.scalar(name));
+  };
+  const auto restore_if_saved = [&](const char* name, auto& member) {
+    if (saved.scalars.count(name) > 0) restore(name, member);
+  };
+  trial_.state().each_member(restore_if_saved);  // checkpoints of earlier versions lack some
+  check_petsc(stepper_->change_preconditioner(solver_options()), "restart");
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
-  stepper_->history() = {saved.scalar("dt_next"),
-                         {saved.scalar("dt_past_0"), saved.scalar("dt_past_1")},
-                         static_cast<int>(saved.scalar("easy_steps")),
-                         {static_cast<int>(saved.scalar("calm_steps")), static_cast<int>(saved.scalar("calm_wait"))},
-                         static_cast<FirstGuess>(static_cast<int>(saved.scalar("guess")))};
+  stepper_->history().each_member(restore);
   check_petsc(stepper_->set_time(time), "restart");
-  totals_ = {saved.scalar("steps"),          saved.scalar("newton"),          saved.scalar("krylov"),
-             saved.scalar("rejected_error"), saved.scalar("rejected_solver"), saved.scalar("limited"),
-             saved.scalar("imbalance"),      saved.scalar("gas_imbalance"),   saved.scalar("initial_volume"),
-             saved.scalar("dt_max")};
+  totals_.each_member(restore);
   next_fields_ = saved.scalar("next_fields");
   next_checkpoint_ = saved.scalar("next_checkpoint");
   open_outputs(time);
@@ -283,7 +248,7 @@ void Simulation::append_monitor(const StepReport& report) {
                           cpu.setup,
                           cpu.solve};
   if (scene_.gas.model != GasModel::none) row.push_back(gas_volume_error());
-  for (const auto& more : {measures_->values(stepper_->state()), probes_->values(stepper_->state())})
+  for (const auto& more : {measures_->values(stepper_->time(), stepper_->state()), probes_->values(stepper_->state())})
     row.insert(row.end(), more.begin(), more.end());
   monitor_->append(row);
 }
@@ -298,41 +263,16 @@ void Simulation::write_fields() {
 void Simulation::write_checkpoint() {
   const double interval = scene_.output.checkpoint_interval;
   if (interval > 0) next_checkpoint_ = interval * (std::floor(stepper_->time() / interval * (1 + 1e-12)) + 1);
-  const StepHistory& history = stepper_->history();
-  const PresetTrial::State& trial = trial_.state();
+  NamedScalars scalars{
+      {"time", stepper_->time()}, {"next_fields", next_fields_}, {"next_checkpoint", next_checkpoint_}};
+  const auto save = [&](const char* name, const auto& member) { scalars[name] = static_cast<double>(member); };
+  stepper_->history().each_member(save);
+  trial_.state().each_member(save);
+  totals_.each_member(save);
   scree::write_checkpoint(scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(),
                           problem_.model().fields(),
                           {{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}},
-                          {{"time", stepper_->time()},
-                           {"dt_next", history.dt_next},
-                           {"dt_past_0", history.dt_past[0]},
-                           {"dt_past_1", history.dt_past[1]},
-                           {"easy_steps", history.easy_steps},
-                           {"calm_steps", history.newton.calm},
-                           {"calm_wait", history.newton.wait},
-                           {"guess", static_cast<double>(history.guess)},
-                           {"trial_multigrid", trial.multigrid ? 1 : 0},
-                           {"trial_fill", trial.fill},
-                           {"trial_newton", trial.newton},
-                           {"trial_krylov", trial.krylov},
-                           {"trial_returns", trial.returns},
-                           {"trial_windows", trial.windows},
-                           {"trial_since_failure", trial.since_failure},
-                           {"trial_with_first", trial.with_first},
-                           {"trial_with_multigrid", trial.with_multigrid},
-                           {"steps", totals_.steps},
-                           {"newton", totals_.newton},
-                           {"krylov", totals_.krylov},
-                           {"rejected_error", totals_.rejected_error},
-                           {"rejected_solver", totals_.rejected_solver},
-                           {"limited", totals_.limited},
-                           {"imbalance", totals_.imbalance},
-                           {"gas_imbalance", totals_.gas_imbalance},
-                           {"initial_volume", totals_.initial_volume},
-                           {"dt_max", totals_.dt_max},
-                           {"next_fields", next_fields_},
-                           {"next_checkpoint", next_checkpoint_}},
-                          {{"case", scene_.effective_yaml}});
+                          scalars, {{"case", scene_.effective_yaml}});
   check_petsc(stepper_->forget_preconditioner(), "checkpoint");
 }
 
@@ -345,7 +285,7 @@ void Simulation::write_summary(const std::string& end) {
   Summary summary;
   summary["end"] = end;
   summary["time"] = stepper_->time();
-  const auto values = measures_->values(stepper_->state());
+  const auto values = measures_->values(stepper_->time(), stepper_->state());
   for (std::size_t k = 0; k < values.size(); ++k) summary["quantities"][measures_->columns()[k].name] = values[k];
   summary["quantities"]["mass_error"] = mass_error();
   if (scene_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();

@@ -10,8 +10,10 @@ void declare_files(OptionSet& o, OutputParameters& output) {
   o.text("output_dir", output.directory, "a directory", "where the run leaves its files");
   o.boolean("output_overwrite", output.overwrite, "allow a directory that holds a run already");
   o.real("output_interval", output.field_interval, "s", non_negative(), "between fields; 0: only first and last");
-  o.real("checkpoint_interval", output.checkpoint_interval, "s", non_negative(),
-         "simulated time between checkpoints; 0: only the last");
+  o.real(
+      "checkpoint_interval", output.checkpoint_interval, "s", non_negative(),
+      "simulated time between checkpoints; 0: only the last. After each the solver is made anew, as in a restart: it "
+      "costs a set-up, and changes the last digits");
   o.integer("monitor_every", output.monitor_every, 1, "steps between rows of monitor.csv");
   o.real("wall_clock_budget", output.wall_clock_budget, "s", non_negative(),
          "wall-clock time after which the run writes a checkpoint and ends; 0: none");

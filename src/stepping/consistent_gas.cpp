@@ -24,26 +24,26 @@ PetscErrorCode copy_pressure(const Model& model, Vec from, Vec to) {
 
 }  // namespace
 
-PetscErrorCode make_gas_consistent(const DiscreteProblem& problem, const StepControl& control, double time, Vec state,
-                                   bool* done) {
+PetscErrorCode make_gas_consistent(const DiscreteProblem& problem, const StepControl& control,
+                                   const PetscOptionList& solver, double time, Vec state, bool* done) {
   PetscFunctionBeginUser;
   *done = true;
   if (problem.model().gas_pressure() < 0) PetscFunctionReturn(0);
-  PetscCall(problem.impose_gas(state));
-  PetscCall(problem.project_gas(state));
+  PetscCall(impose_gas(problem, time, state));
+  PetscCall(project_gas(problem, time, state));
   ProblemSetup setup = problem.setup();
   setup.model.solids_moving = false;
   setup.model.gas_alone = true;
   StepControl steps = control;
-  steps.scheme = "beuler";
-  steps.adaptive = steps.extrapolate = false;
-  steps.step_initial *= share_of_step;
-  steps.step_min = 0;
+  steps.scheme = TimeScheme::beuler;
+  steps.step.adaptive = steps.extrapolate = false;
+  steps.step.initial *= share_of_step;
+  steps.step.least = 0;
 
   DiscreteProblem frozen(setup);
   PetscCall(frozen.create(PetscObjectComm(reinterpret_cast<PetscObject>(problem.dm())), time));
-  TimeStepper stepper(frozen, steps);
-  PetscCall(stepper.create(time));
+  TimeStepper stepper(frozen, steps, "gas_start_");
+  PetscCall(stepper.create(time, solver));
   PetscCall(VecCopy(state, stepper.state()));
   StepReport report;
   PetscCall(stepper.step(PETSC_MAX_REAL, &report));

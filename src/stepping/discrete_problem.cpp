@@ -5,38 +5,7 @@
 
 namespace scree {
 
-PetscErrorCode GhostedArray::open(DM dm, Vec global) {
-  PetscFunctionBeginUser;
-  dm_ = dm;
-  PetscCall(DMGetLocalVector(dm, &local_));
-  PetscCall(VecZeroEntries(local_));  // nodes beyond the box: read by kernels with weight zero
-  PetscCall(DMGlobalToLocal(dm, global, INSERT_VALUES, local_));
-  PetscCall(VecGetArrayRead(local_, &data_));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode GhostedArray::close() {
-  PetscFunctionBeginUser;
-  PetscCall(VecRestoreArrayRead(local_, &data_));
-  PetscCall(DMRestoreLocalVector(dm_, &local_));
-  PetscFunctionReturn(0);
-}
-
 namespace {
-
-/// Calls work(state with ghosts as it was, the same without ghosts to be changed).
-template <class Work>
-PetscErrorCode change(DM dm, Vec state, Work&& work) {
-  PetscFunctionBeginUser;
-  GhostedArray u;
-  double* owned;
-  PetscCall(u.open(dm, state));
-  PetscCall(VecGetArray(state, &owned));
-  work(u.data(), owned);
-  PetscCall(VecRestoreArray(state, &owned));
-  PetscCall(u.close());
-  PetscFunctionReturn(0);
-}
 
 /// Collects the columns of each row.
 class RowColumns : public EntrySink {
@@ -149,10 +118,6 @@ PetscErrorCode DiscreteProblem::update_conditions(double time) {
   barriers_ = std::make_unique<Barriers>(*lattice_, setup_.segments, setup_.plates, time);
   gas_projection_.reset();
   model_ = make_model({*lattice_, *barriers_, setup_.model, setup_.solids, setup_.scales});
-  stored_with_nu_.clear();
-  for (const Field& field : model_->fields())
-    if (field.symbol == "v" || field.symbol == "T" || field.symbol == "chi") stored_with_nu_.push_back(field);
-  model_->set_time(time);
   if (model_->gas_velocity(0) >= 0) {
     gas_projection_ = std::make_unique<GasProjection>(*lattice_, *barriers_, *model_);
     PetscCall(gas_projection_->create(dm_));
@@ -212,144 +177,39 @@ PetscErrorCode DiscreteProblem::find_places() {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::attach(TS ts) {
-  PetscFunctionBeginUser;
-  PetscCall(TSSetDM(ts, dm_));
-  PetscCall(TSSetIFunction(ts, nullptr, ifunction, this));
-  PetscCall(TSSetIJacobian(ts, matrix_, matrix_, ijacobian, this));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::residual(Vec state, Vec rate, Vec residual) const {
+PetscErrorCode DiscreteProblem::residual(double time, Vec state, Vec rate, Vec residual) const {
   PetscFunctionBeginUser;
   GhostedArray u, u_dot;
   PetscCall(u.open(dm_, state));
   PetscCall(u_dot.open(dm_, rate));
   double* f;
   PetscCall(VecGetArrayWrite(residual, &f));
-  model_->residual(u.data(), u_dot.data(), f);
+  model_->residual(time, u.data(), u_dot.data(), f);
   PetscCall(VecRestoreArrayWrite(residual, &f));
   PetscCall(u_dot.close());
   PetscCall(u.close());
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::correct_continuity(Vec state, Vec residual, VolumeImbalance* imbalance) const {
+PetscErrorCode DiscreteProblem::jacobian(double time, Vec state, Vec rate, double shift, Mat jacobian) const {
   PetscFunctionBeginUser;
-  const Lattice& grid = *lattice_;
-  const int unknowns = model_->unknowns();
-  double outflow_rate, gas_outflow_rate;
-  PetscCall(impose_gas(state));
-  PetscCall(project_gas(state));
-  PetscCall(settle_pressure(state));
-  PetscCall(outflow(state, Phase::solids, &outflow_rate));
-  PetscCall(outflow(state, Phase::gas, &gas_outflow_rate));
-  double* x;
-  const double *f, *rate;
-  PetscCall(VecGetArray(state, &x));
-  PetscCall(VecGetArrayRead(residual, &f));
-  PetscCall(VecGetArrayRead(last_rate_, &rate));
-  double sum = 0;
-  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-    if (!model_->is_balance(Model::solids_fraction, I)) return;
-    const int nu = grid.owned(I) * unknowns + Model::solids_fraction;
-    const double excess = f[nu] / model_->continuity_scale();
-    x[nu] -= excess / last_shift_;
-    sum += grid.volume(I) * (rate[nu] - excess);
-  });
-  PetscCall(VecRestoreArrayRead(last_rate_, &rate));
-  PetscCall(VecRestoreArrayRead(residual, &f));
-  PetscCall(VecRestoreArray(state, &x));
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
-  // The gas has the rest of the box: its volume changes by -sum.
-  *imbalance = {sum + outflow_rate, model_->gas_pressure() >= 0 ? gas_outflow_rate - sum : 0};
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::remainder(Vec state, Vec residual, Remainder* remainder) const {
-  PetscFunctionBeginUser;
-  constexpr double dilute = 0.1, least_storage = 1e-2;  // emptier places count as if they stored this
-  const Lattice& grid = *lattice_;
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(dm_));
-  const int unknowns = model_->unknowns();
-  GhostedArray u;
-  const double* f;
+  GhostedArray u, u_dot;
   PetscCall(u.open(dm_, state));
-  PetscCall(VecGetArrayRead(residual, &f));
-  double sums[2]{0, 0};                // of squares, of cells
-  double most[2]{-PETSC_INFINITY, 0};  // of -nu, of changes of single unknowns
-  const auto nu_at = [&](const Index& I) { return u.data()[grid.ghosted(I) * unknowns + Model::solids_fraction]; };
-  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-    if (!model_->is_balance(Model::solids_fraction, I)) return;
-    const double* rows = f + grid.owned(I) * unknowns;
-    const double per_change = model_->continuity_scale() * last_shift_, nu = nu_at(I);
-    const double correction = rows[Model::solids_fraction] / per_change;
-    sums[0] += correction * correction;
-    sums[1] += 1;
-    most[0] = std::max(most[0], correction - nu);
-    for (const Field& field : stored_with_nu_) {
-      if (!model_->is_balance(field.component, I)) continue;
-      const double stored = field.face_axis < 0 ? nu : 0.5 * (nu + nu_at(I - unit(field.face_axis)));
-      if (stored < dilute)
-        most[1] = std::max(most[1], std::abs(rows[field.component]) / (per_change * std::max(stored, least_storage)));
-    }
-  });
-  PetscCall(VecRestoreArrayRead(residual, &f));
+  PetscCall(u_dot.open(dm_, rate));
+
+  PetscCall(MatZeroEntries(jacobian));
+  PetscBool parallel;
+  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(jacobian), MATMPIAIJ, &parallel));
+  Mat blocks[2] = {jacobian, nullptr};
+  if (parallel) PetscCall(MatMPIAIJGetSeqAIJ(jacobian, &blocks[0], &blocks[1], nullptr));
+  double* entries[2] = {nullptr, nullptr};
+  for (int k = 0; k < 2 && blocks[k]; ++k) PetscCall(MatSeqAIJGetArray(blocks[k], &entries[k]));
+  model_->jacobian(time, u.data(), u_dot.data(), shift, places_, entries[0], entries[1]);
+  for (int k = 0; k < 2 && blocks[k]; ++k) PetscCall(MatSeqAIJRestoreArray(blocks[k], &entries[k]));
+  PetscCall(MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY));
+  PetscCall(u_dot.close());
   PetscCall(u.close());
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, comm));
-  // Particles at rest have no balance.
-  *remainder = {sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0, -most[0], most[1]};
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::lag_friction(Vec state, double dt) const {
-  PetscFunctionBeginUser;
-  const double share = dt / (dt + setup_.solids.friction.tau);
-  PetscCall(change(dm_, state, [&](const double* u, double* owned) { model_->relax_chi(u, share, owned); }));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::raise_temperature(Vec guess, double dt) const {
-  PetscFunctionBeginUser;
-  if (setup_.model.temperature != TemperatureModel::transport) PetscFunctionReturn(0);
-  PetscCall(change(dm_, guess, [&](const double* u, double* owned) { model_->raise_temperature(u, dt, owned); }));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::impose_gas(Vec state) const {
-  PetscFunctionBeginUser;
-  PetscCall(change(dm_, state, [&](const double* u, double* owned) { model_->impose_gas(u, owned); }));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::project_gas(Vec state) const {
-  PetscFunctionBeginUser;
-  if (gas_projection_) PetscCall(gas_projection_->apply(state));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::settle_pressure(Vec state) const {
-  PetscFunctionBeginUser;
-  const int p = model_->gas_pressure();
-  if (p < 0 || barriers_->some_open()) PetscFunctionReturn(0);
-  double* x;
-  double sum[2] = {0, 0};
-  PetscCall(VecGetArray(state, &x));
-  const auto each_cell = [&](auto&& work) {
-    for_each_node(lattice_->owned_first, lattice_->owned_count, [&](const Index& I) {
-      if (lattice_->inside(I)) work(x[lattice_->owned(I) * model_->unknowns() + p], lattice_->volume(I));
-    });
-  };
-  each_cell([&](double value, double volume) {
-    sum[0] += volume * value;
-    sum[1] += volume;
-  });
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
-  each_cell([&](double& value, double) { value -= sum[0] / sum[1]; });
-  PetscCall(VecRestoreArray(state, &x));
   PetscFunctionReturn(0);
 }
 
@@ -368,7 +228,7 @@ PetscErrorCode DiscreteProblem::solids_volume(Vec state, double* volume) const {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::outflow(Vec state, Phase phase, double* total) const {
+PetscErrorCode DiscreteProblem::outflow(double time, Vec state, Phase phase, double* total) const {
   PetscFunctionBeginUser;
   GhostedArray u;
   PetscCall(u.open(dm_, state));
@@ -377,7 +237,7 @@ PetscErrorCode DiscreteProblem::outflow(Vec state, Phase phase, double* total) c
     for (int axis = 0; axis < lattice_->dim; ++axis) {
       const bool lower = !lattice_->inside(I - unit(axis)), upper = !lattice_->inside(I);
       if (lower == upper || !barriers_->at(axis, I)) continue;
-      sum += (upper ? 1 : -1) * lattice_->face_area(axis, I) * flux(phase, u.data(), axis, I);
+      sum += (upper ? 1 : -1) * lattice_->face_area(axis, I) * flux(time, phase, u.data(), axis, I);
     }
   });
   PetscCall(u.close());
@@ -385,8 +245,8 @@ PetscErrorCode DiscreteProblem::outflow(Vec state, Phase phase, double* total) c
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode DiscreteProblem::plane_flux(Vec state, Phase phase, int axis, double position, const Patch& patch,
-                                           double* total) const {
+PetscErrorCode DiscreteProblem::plane_flux(double time, Vec state, Phase phase, int axis, double position,
+                                           const Patch& patch, double* total) const {
   PetscFunctionBeginUser;
   const Axis& normal = lattice_->axes[axis];
   int plane = 0;
@@ -402,50 +262,10 @@ PetscErrorCode DiscreteProblem::plane_flux(Vec state, Phase phase, int axis, dou
       const double x = lattice_->axes[a].centre(I[a]);
       if (a != axis && (x < patch.lower[a] || x > patch.upper[a])) return;
     }
-    sum += lattice_->face_area(axis, I) * flux(phase, u.data(), axis, I);
+    sum += lattice_->face_area(axis, I) * flux(time, phase, u.data(), axis, I);
   });
   PetscCall(u.close());
   PetscCallMPI(MPI_Allreduce(&sum, total, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(dm_))));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::ifunction(TS, PetscReal time, Vec state, Vec rate, Vec residual, void* problem) {
-  PetscFunctionBeginUser;
-  auto& self = *static_cast<DiscreteProblem*>(problem);
-  self.last_rate_ = rate;
-  self.model_->set_time(time);
-  PetscCall(self.residual(state, rate, residual));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode DiscreteProblem::ijacobian(TS, PetscReal time, Vec state, Vec rate, PetscReal shift, Mat A, Mat P,
-                                          void* problem) {
-  PetscFunctionBeginUser;
-  auto& self = *static_cast<DiscreteProblem*>(problem);
-  if (self.keeps_jacobian_ && A == P && shift == self.last_shift_) PetscFunctionReturn(0);
-  self.last_shift_ = shift;
-  self.model_->set_time(time);
-  GhostedArray u, u_dot;
-  PetscCall(u.open(self.dm_, state));
-  PetscCall(u_dot.open(self.dm_, rate));
-
-  PetscCall(MatZeroEntries(P));
-  PetscBool parallel;
-  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(P), MATMPIAIJ, &parallel));
-  Mat blocks[2] = {P, nullptr};
-  if (parallel) PetscCall(MatMPIAIJGetSeqAIJ(P, &blocks[0], &blocks[1], nullptr));
-  double* entries[2] = {nullptr, nullptr};
-  for (int k = 0; k < 2 && blocks[k]; ++k) PetscCall(MatSeqAIJGetArray(blocks[k], &entries[k]));
-  self.model_->jacobian(u.data(), u_dot.data(), shift, self.places_, entries[0], entries[1]);
-  for (int k = 0; k < 2 && blocks[k]; ++k) PetscCall(MatSeqAIJRestoreArray(blocks[k], &entries[k]));
-  PetscCall(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
-  if (A != P) {  // a matrix-free operator needs to know that the state has changed
-    PetscCall(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
-  }
-  PetscCall(u_dot.close());
-  PetscCall(u.close());
   PetscFunctionReturn(0);
 }
 

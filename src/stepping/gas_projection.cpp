@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scree/stepping/discrete_problem.hpp"
+#include "scree/grid/ghosted_array.hpp"
 
 namespace scree {
 
@@ -57,9 +57,8 @@ PetscErrorCode GasProjection::create(DM dm) {
 }
 
 /// The matrix stays, so that one factorisation serves for the whole run: each rank keeps the whole factor, which it
-/// applies in less time than messages would take. Against BoomerAMG's sixteen iterations a step: the bubble takes 12 %
-/// less CPU time on 5359 cells, 16 % less on two ranks (MUMPS, by its ordering, 9 % less to 5 % more); on 85 744 cells
-/// all Krylov iterations of 20 steps take 2.7 s in place of 13.4, the factor 3.6 s, once.
+/// applies in less time than messages would take. BoomerAMG would take some sixteen iterations a step; it is left to
+/// grids whose factor would be large.
 PetscErrorCode GasProjection::set_preconditioner() {
   PetscFunctionBeginUser;
   const int dim = lattice_.dim, most_cells = dim < 3 ? 100000 : 20000;
@@ -117,9 +116,10 @@ PetscErrorCode GasProjection::assemble(Mat matrix) const {
   PetscFunctionReturn(0);
 }
 
-/// Volume that the fluxes of `state` take out of each cell in unit time, its greatest value, and the greatest flow
-/// through a face [m^dim/s].
-PetscErrorCode GasProjection::divergence(Vec state, Vec volume_rate, double* greatest, double* flow) const {
+/// Volume that the fluxes of `state` at `time` take out of each cell in unit time, its greatest value, and the greatest
+/// flow through a face [m^dim/s].
+PetscErrorCode GasProjection::divergence(double time, Vec state, Vec volume_rate, double* greatest,
+                                         double* flow) const {
   PetscFunctionBeginUser;
   GhostedArray u;
   PetscCall(u.open(states_, state));
@@ -132,7 +132,7 @@ PetscErrorCode GasProjection::divergence(Vec state, Vec volume_rate, double* gre
       for (int side = 0; side < 2; ++side) {
         const Index face = I + side * unit(axis);
         const double out = lattice_.face_area(axis, face) *
-                           (model_.solids_flux(u.data(), axis, face) + model_.gas_flux(u.data(), axis, face));
+                           (model_.solids_flux(u.data(), axis, face) + model_.gas_flux(time, u.data(), axis, face));
         sum += side == 0 ? -out : out;
         most[1] = std::max(most[1], std::abs(out));
       }
@@ -148,11 +148,11 @@ PetscErrorCode GasProjection::divergence(Vec state, Vec volume_rate, double* gre
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode GasProjection::apply(Vec state) {
+PetscErrorCode GasProjection::apply(double time, Vec state) {
   PetscFunctionBeginUser;
   double greatest, flow;
   for (int pass = 0; pass < most_passes; ++pass) {
-    PetscCall(divergence(state, source_, &greatest, &flow));
+    PetscCall(divergence(time, state, source_, &greatest, &flow));
     if (!(greatest > rounding * flow)) PetscFunctionReturn(0);
     PetscCall(KSPSolve(ksp_, source_, potential_));
     PetscCall(correct(state));

@@ -40,7 +40,9 @@ PetscErrorCode guarded_full_step(SNESLineSearch search, void*) {
 PetscErrorCode use_guarded_full_steps(SNES snes) {
   PetscFunctionBeginUser;
   PetscBool chosen;
-  PetscCall(PetscOptionsHasName(nullptr, nullptr, "-snes_linesearch_type", &chosen));
+  const char* prefix;
+  PetscCall(SNESGetOptionsPrefix(snes, &prefix));
+  PetscCall(PetscOptionsHasName(nullptr, prefix, "-snes_linesearch_type", &chosen));
   if (chosen) PetscFunctionReturn(0);
   SNESLineSearch search;
   PetscCall(SNESGetLineSearch(snes, &search));

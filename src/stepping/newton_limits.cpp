@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scree/stepping/corrections.hpp"
+
 namespace scree {
 
 namespace {
@@ -18,13 +20,9 @@ double bounded(double target, double lower, double upper, long& limited) {
 NewtonLimits::NewtonLimits(const DiscreteProblem& problem)
     : problem_(problem),
       nu_max_(problem.setup().solids.friction.nu_max),
-      chi_max_(maximum_chi(problem.setup().solids.friction)) {
-  for (const Field& field : problem.model().fields()) {
-    if (field.symbol == "nu") nu_ = field.component;
-    if (field.symbol == "T") T_ = field.component;
-    if (field.symbol == "chi") chi_ = field.component;
-  }
-}
+      chi_max_(maximum_chi(problem.setup().solids.friction)),
+      T_(problem.model().granular_temperature()),
+      chi_(problem.model().frictional_pressure_ratio()) {}
 
 PetscErrorCode NewtonLimits::apply(Vec from, Vec target, double least_T, long* limited) const {
   PetscFunctionBeginUser;
@@ -36,8 +34,9 @@ PetscErrorCode NewtonLimits::apply(Vec from, Vec target, double least_T, long* l
   PetscCall(VecGetArray(target, &x));
   const int unknowns = problem_.model().unknowns();
   for (PetscInt node = 0; node < size; node += unknowns) {
-    const double nu = old[node + nu_];
-    x[node + nu_] = bounded(x[node + nu_], 0, nu + 0.7 * (nu_max_ - nu), *limited);
+    const double nu = old[node + Model::solids_fraction];
+    double& next_nu = x[node + Model::solids_fraction];
+    next_nu = bounded(next_nu, 0, nu + 0.7 * (nu_max_ - nu), *limited);
     if (T_ >= 0) x[node + T_] = bounded(x[node + T_], least_T * old[node + T_], PETSC_INFINITY, *limited);
     if (chi_ >= 0) x[node + chi_] = bounded(x[node + chi_], 0.1 * old[node + chi_], chi_max_, *limited);
   }
@@ -58,15 +57,15 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
   // Where Newton's method wanted T < 0 it may be on its way to nothing, away from a root above.
-  if (any > 0 && self.T_ >= 0 && self.problem_.last_shift() > 0)
-    PetscCall(self.problem_.raise_temperature(step, 1 / self.problem_.last_shift()));
+  if (any > 0) PetscCall(raise_temperature(self.problem_, 1 / self.stage_->shift, step));
   PetscCall(VecAYPX(step, -1, state));
   *changed = any > 0 ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode NewtonLimits::attach(SNES snes) {
+PetscErrorCode NewtonLimits::attach(SNES snes, const Stage* stage) {
   PetscFunctionBeginUser;
+  stage_ = stage;
   SNESLineSearch search;
   PetscCall(SNESGetLineSearch(snes, &search));
   PetscCall(SNESLineSearchSetPreCheck(search, pre_check, this));

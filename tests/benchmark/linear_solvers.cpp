@@ -22,6 +22,8 @@
 #include "scree/app/problem_setup.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
+#include "scree/stepping/corrections.hpp"
+#include "scree/stepping/orderings.hpp"
 #include "scree/stepping/presets.hpp"
 
 namespace scree::test {
@@ -59,11 +61,6 @@ Case refined_case(int times) {
   check(PetscOptionsGetInt(nullptr, nullptr, "-grid_refine", &own, nullptr));
   check(PetscOptionsSetValue(nullptr, "-grid_refine", std::to_string(own * times).c_str()));
   return read_case();
-}
-
-const char* name_of(SolverPreset preset) {
-  constexpr const char* names[] = {"direct", "ilu", "multigrid", "fieldsplit"};
-  return names[static_cast<int>(preset)];
 }
 
 // ---- the state on the finer grid ----
@@ -149,8 +146,8 @@ void interpolate(const CoarseState& coarse, const DiscreteProblem& fine, Vec sta
         value = fine.barriers().condition(field.face_axis, I).velocity[field.face_axis] / field.scale;
     });
   check(VecRestoreArray(state, &x));
-  check(fine.impose_gas(state));
-  check(fine.project_gas(state));
+  check(impose_gas(fine, coarse.time, state));
+  check(project_gas(fine, coarse.time, state));
 }
 
 // ---- the system ----
@@ -159,27 +156,22 @@ void interpolate(const CoarseState& coarse, const DiscreteProblem& fine, Vec sta
 class System {
  public:
   System(DiscreteProblem& problem, Vec state, double time, double dt) : problem_(problem), time_(time), dt_(dt) {
-    check(TSCreate(PETSC_COMM_WORLD, &ts_));
-    check(problem.attach(ts_));
     for (Vec* vector : {&guess_, &rate_, &right_side, &solution}) check(VecDuplicate(state, vector));
     check(VecCopy(state, guess_));
-    check(problem.raise_temperature(guess_, dt));  // as the program does
+    check(raise_temperature(problem, dt, guess_));  // as the program does
     check(VecWAXPY(rate_, -1, state, guess_));
     check(VecScale(rate_, 1 / dt));
-    check(TSComputeIFunction(ts_, time + dt, guess_, rate_, right_side, PETSC_FALSE));
+    check(problem.residual(time + dt, guess_, rate_, right_side));
     check(VecScale(right_side, -1));
     assemble();
   }
   ~System() {
     for (Vec* vector : {&guess_, &rate_, &right_side, &solution}) (void)VecDestroy(vector);
-    (void)TSDestroy(&ts_);
   }
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  void assemble() {
-    check(TSComputeIJacobian(ts_, time_ + dt_, guess_, rate_, 1 / dt_, matrix(), matrix(), PETSC_FALSE));
-  }
+  void assemble() { check(problem_.jacobian(time_ + dt_, guess_, rate_, 1 / dt_, matrix())); }
   Mat matrix() const { return problem_.matrix(); }
   double residual() const {
     Vec difference;
@@ -196,7 +188,6 @@ class System {
  private:
   DiscreteProblem& problem_;
   double time_, dt_;
-  TS ts_ = nullptr;
   Vec guess_ = nullptr, rate_ = nullptr;
 
  public:
@@ -328,7 +319,10 @@ void run(const std::string& directory) {
   }
   System system(problem, state, time, options.dt);
   const char* preset = name_of(scene.solver.preset);
-  check(apply_preset(preset, problem.model().unknowns(), problem.model().gas_pressure()));
+  check(register_orderings());
+  ScopedOptions of_preset;
+  check(of_preset.set("",
+                      preset_options(scene.solver.preset, problem.model().unknowns(), problem.model().gas_pressure())));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();

@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "boundary": {"math", "closures", "grid", "operators"},
     "equations": {"math", "closures", "grid", "operators", "boundary"},
     "stepping": {"math", "closures", "grid", "operators", "boundary", "equations"},
-    "config": {"math", "closures", "grid", "boundary", "equations"},
+    "config": {"math", "closures", "grid", "boundary", "equations", "stepping"},
     "output": {"math", "grid"},
 }
 MAY_INCLUDE["app"] = set(MAY_INCLUDE)

@@ -15,7 +15,7 @@ class Measures {
   Measures(const Case& scene, const DiscreteProblem& problem);
 
   const std::vector<Column>& columns() const { return columns_; }
-  std::vector<double> values(Vec state) const;  ///< collective; one a column
+  std::vector<double> values(double time, Vec state) const;  ///< collective; one a column
 
   /// Factor from solids volume [m^dim] to mass [kg].
   double mass_per_volume() const { return mass_per_volume_; }

@@ -34,6 +34,21 @@ class Simulation {
     double gas_imbalance = 0;   ///< of gas volume [m^dim]
     double initial_volume = 0;  ///< [m^dim]
     double dt_max = 0;          ///< [s]
+
+    /// Calls visit(name, member) for each; the names are those in checkpoints.
+    template <class Visitor>
+    void each_member(Visitor&& visit) {
+      visit("steps", steps);
+      visit("newton", newton);
+      visit("krylov", krylov);
+      visit("rejected_error", rejected_error);
+      visit("rejected_solver", rejected_solver);
+      visit("limited", limited);
+      visit("imbalance", imbalance);
+      visit("gas_imbalance", gas_imbalance);
+      visit("initial_volume", initial_volume);
+      visit("dt_max", dt_max);
+    }
   };
 
   static StepControl step_control(const Case& scene);
@@ -41,8 +56,10 @@ class Simulation {
   void restart();
   void open_outputs(std::optional<double> restart_time);
   double next_event() const;
-  void apply_solver_preset(SolverPreset preset, int fill = 0);
-  void apply_trial();  ///< the preset and level of fill that the trial has come to
+  SolverPreset preset() const;             ///< that the case gives, or that the trial has come to
+  int fill() const;                        ///< likewise
+  PetscOptionList solver_options() const;  ///< of that preset
+  void print_solver() const;               ///< where the case asks for it
   void reconsider_preset(const StepReport& report);
   void account(const StepReport& report);
   void make_gas_consistent();
@@ -66,8 +83,6 @@ class Simulation {
   std::unique_ptr<FieldWriter> fields_;
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
-  std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
-  SolverPreset first_preset_;
   PresetTrial trial_;
   double next_fields_ = 0, next_checkpoint_ = 0;
 };

@@ -12,11 +12,9 @@
 #include "scree/closures/wall.hpp"
 #include "scree/equations/parameters.hpp"
 #include "scree/grid/box.hpp"
+#include "scree/stepping/choices.hpp"
 
 namespace scree {
-
-enum class TimeScheme { beuler, bdf, arkimex };
-enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
 
 /// Values of a region at t = 0; regions are applied in the order of the list.
 struct InitialRegion {

@@ -24,14 +24,14 @@ class GasProjection {
 
   /// Collective: `dm` is that of the states.
   PetscErrorCode create(DM dm);
-  /// Changes u in `state`, nu and v staying as they are. Does nothing where the fluxes balance already.
-  PetscErrorCode apply(Vec state);
+  /// Changes u in `state` at `time` [s], nu and v staying as they are. Does nothing where the fluxes balance already.
+  PetscErrorCode apply(double time, Vec state);
 
  private:
   bool passes(int axis, const Index& I) const;
   PetscErrorCode set_preconditioner();
   PetscErrorCode assemble(Mat matrix) const;
-  PetscErrorCode divergence(Vec state, Vec volume_rate, double* greatest, double* flow) const;
+  PetscErrorCode divergence(double time, Vec state, Vec volume_rate, double* greatest, double* flow) const;
   PetscErrorCode correct(Vec state) const;
 
   const Lattice& lattice_;

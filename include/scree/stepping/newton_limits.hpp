@@ -4,6 +4,7 @@
 #include <petscsnes.h>
 
 #include "scree/stepping/discrete_problem.hpp"
+#include "scree/stepping/stage.hpp"
 
 namespace scree {
 
@@ -18,8 +19,8 @@ class NewtonLimits {
 
   explicit NewtonLimits(const DiscreteProblem& problem);
 
-  /// Registers with the line search of `snes`; the object must outlive it.
-  PetscErrorCode attach(SNES snes);
+  /// Registers with the line search of `snes`, which solves `stage`; both objects must outlive it.
+  PetscErrorCode attach(SNES snes, const Stage* stage);
   /// Changes `target`, meant to be reached from `from`, where it breaks a limit; adds to `limited` the unknowns changed
   /// on this rank. T may fall to `least_T` times what it was.
   PetscErrorCode apply(Vec from, Vec target, double least_T, long* limited) const;
@@ -32,7 +33,8 @@ class NewtonLimits {
 
   const DiscreteProblem& problem_;
   double nu_max_, chi_max_;
-  int nu_ = -1, T_ = -1, chi_ = -1;  ///< components
+  int T_, chi_;  ///< components
+  const Stage* stage_ = nullptr;
   long limited_ = 0;
 };
 

@@ -1,4 +1,4 @@
-/// How exactly Newton's method solves a step, and when it gives up.
+/// How exactly Newton's method solves a step.
 #pragma once
 
 #include <algorithm>
@@ -34,25 +34,6 @@ struct NewtonTolerance {
       failed();
     else
       ++calm;
-  }
-};
-
-/// Whether Newton's method will not come to an end: few of those that wander get there within the iterations that PETSc
-/// allows, and a shorter step costs less than these.
-struct NewtonProgress {
-  static constexpr int most_in_vain = 5;  ///< iterations that leave the best residual what it is
-  static constexpr double most_growth = 10;
-
-  int best = 0;  ///< iteration of the least residual so far
-  double least = 0;
-
-  /// With the residual of an iteration, 0 at the first guess.
-  bool is_lost(int iteration, double residual) {
-    if (iteration == 0 || residual < least) {
-      best = iteration;
-      least = residual;
-    }
-    return iteration > 3 && (iteration - best >= most_in_vain || residual > most_growth * least);
   }
 };
 

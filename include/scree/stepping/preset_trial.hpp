@@ -6,18 +6,14 @@
 namespace scree {
 
 /// The cheaper preset depends on more than the size. Without gas `ilu` is the cheaper one while it takes few iterations
-/// a linear system: the first .1 s of the 1 mm bin, 40 x 526 cells on one rank, takes 5.2 of them, multigrid 5.1
-/// and 1.4 times the time. In the plateau, from 2.2 to 2.6 s, it takes 21, multigrid 14 and .91 of the time; on two
-/// ranks, where aggregates are others, 25 and 12, and multigrid .78 of the time. With gas the bubbling bed takes 2.5
-/// with `fieldsplit`, ILU(0) in it, in two thirds of the time that multigrid takes; the 1 mm bin in air, of as many
-/// cells, 84 and 3.4 times the time, multigrid 12; the 100 um bin, from .8 to .83 s, 100 and 4.4 times the time,
-/// multigrid 22. So where the first preset takes many, multigrid is tried. Where that does not pay, as in beds packed
-/// to nu_max, the first comes back, until it takes so many that multigrid, by what it took, would pay, or for a while,
-/// each time twice as long.
+/// a linear system, as at the start of a discharge; in its plateau multigrid is, the more so the more ranks there are.
+/// With gas `fieldsplit` with ILU(0) in it is cheaper by a third in a bubbling bed, and several times dearer in a bin
+/// in air, where it takes many iterations. So where the first preset takes many, multigrid is tried. Where that does
+/// not pay, as in beds packed to nu_max, the first comes back, until it takes so many that multigrid, by what it took,
+/// would pay, or for a while, each time twice as long.
 ///
-/// Before multigrid comes fill: ILU(1) in `fieldsplit` takes .64 of the iterations of ILU(0), each 1.2 times as long,
-/// and its set-up as much more as 7 iterations take (100 um bin, 40 x 526 cells, to 1.2 s: .82 of the time; bubbling
-/// bed: 1.15).
+/// Before multigrid comes fill: ILU(1) in `fieldsplit` takes two thirds of the iterations of ILU(0), each a little
+/// dearer, and a dearer set-up: it pays where iterations are many. tests/benchmark measures all these.
 ///
 /// The many iterations of a step whose first attempt failed say nothing of the preset, unless steps fail often.
 class PresetTrial {
@@ -51,6 +47,20 @@ class PresetTrial {
     int since_failure = seldom;    ///< steps since one of which an attempt failed, `seldom` at most
     double with_first = 0;         ///< iterations a linear system when the first preset was left
     double with_multigrid = 0;     ///< ... and when multigrid was
+
+    /// Calls visit(name, member) for each; the names are those in checkpoints.
+    template <class Visitor>
+    void each_member(Visitor&& visit) {
+      visit("trial_multigrid", multigrid);
+      visit("trial_fill", fill);
+      visit("trial_newton", newton);
+      visit("trial_krylov", krylov);
+      visit("trial_returns", returns);
+      visit("trial_windows", windows);
+      visit("trial_since_failure", since_failure);
+      visit("trial_with_first", with_first);
+      visit("trial_with_multigrid", with_multigrid);
+    }
   };
 
   explicit PresetTrial(Rule rule) : rule_(rule) {}

@@ -13,20 +13,23 @@ class DirectSolver : public testing::Test {
   DirectSolver() {
     check(PetscOptionsCreate(&options_));
     check(PetscOptionsPush(options_));
-    check(apply_preset("direct", 4));
+    check(preset_.set("", solver()));
   }
   ~DirectSolver() override {
+    (void)preset_.clear();
     (void)PetscOptionsPop();
     (void)PetscOptionsDestroy(&options_);
   }
-  static void solve_exactly() {
-    check(PetscOptionsSetValue(nullptr, "-snes_rtol", "1e-12"));
-    check(PetscOptionsSetValue(nullptr, "-snes_atol", "1e-13"));
-    check(PetscOptionsSetValue(nullptr, "-snes_stol", "0"));
+  static PetscOptionList solver() { return preset_options(SolverPreset::direct, 4); }
+  /// Tolerances for solvers with this prefix of options.
+  static void solve_exactly(const std::string& prefix = "") {
+    for (const auto& [name, value] : {std::pair("snes_rtol", "1e-12"), {"snes_atol", "1e-13"}, {"snes_stol", "0"}})
+      check(PetscOptionsSetValue(nullptr, ("-" + prefix + name).c_str(), value));
   }
 
  private:
   PetscOptions options_ = nullptr;
+  ScopedOptions preset_;
 };
 
 }  // namespace scree::test

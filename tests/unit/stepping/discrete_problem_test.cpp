@@ -21,12 +21,12 @@ TEST(DiscreteProblem, MeasuresVolumeAndFluxes) {
               state);
   double volume, outflow, all, some, expected_volume = 0, flux = 0, part = 0;
   check(problem.problem().solids_volume(state, &volume));
-  check(problem.problem().outflow(state, Phase::solids, &outflow));
+  check(problem.problem().outflow(0, state, Phase::solids, &outflow));
   Patch patch;
   patch.lower[0] = box.faces[0][1];
   patch.upper[0] = box.faces[0][3];
-  check(problem.problem().plane_flux(state, Phase::solids, 1, box.faces[1][2], Patch(), &all));
-  check(problem.problem().plane_flux(state, Phase::solids, 1, box.faces[1][2] + 1e-5, patch, &some));
+  check(problem.problem().plane_flux(0, state, Phase::solids, 1, box.faces[1][2], Patch(), &all));
+  check(problem.problem().plane_flux(0, state, Phase::solids, 1, box.faces[1][2] + 1e-5, patch, &some));
   for (int i = 0; i < 6; ++i) {
     const double nu = 0.4 + 0.02 * i, q = -0.1 * (1 + i) * nu * width(i);
     expected_volume += nu * width(i) * box.upper(1);
@@ -38,39 +38,6 @@ TEST(DiscreteProblem, MeasuresVolumeAndFluxes) {
   EXPECT_NEAR(all, flux, 1e-14 * std::abs(flux)) << "along +y";
   EXPECT_NEAR(some, part, 1e-14 * std::abs(part)) << "faces nearest to the plane, centres in the patch";
   check(VecDestroy(&state));
-}
-
-/// After the correction the rates of nu and the fluxes balance, however bad the state was.
-TEST(DiscreteProblem, CorrectionOfContinuityBalancesVolumeAndOutflow) {
-  ProblemSetup setup = sample_setup(graded_box(2, {6, 4, 0}), FrictionModel::critical_state);
-  setup.segments[2] = side(1, false, condition(BoundaryKind::open));
-  Evaluation problem(PETSC_COMM_WORLD, setup);
-  const auto random = [&](int seed) {
-    return problem.values([&](const Field& f, const Index& I) { return random_value(f, I, Regime::dense, seed); });
-  };
-  const double shift = 40;
-  const Values state = random(1), rate = random(2);
-  problem.assemble(state, rate, shift);
-  const Values residual = problem.residual(state, rate);
-  const double expected = -problem.outflow(state);  // of the rate of the volume of solids
-  Vec x, f;
-  check(DMCreateGlobalVector(problem.problem().dm(), &x));
-  check(VecDuplicate(x, &f));
-  problem.put(state, x);
-  problem.put(residual, f);
-  double before, after, change = 0;
-  VolumeImbalance imbalance;
-  check(problem.problem().solids_volume(x, &before));
-  check(problem.problem().correct_continuity(x, f, &imbalance));
-  check(problem.problem().solids_volume(x, &after));
-  for_each_node(Index{}, problem.nodes(), [&](const Index& I) {
-    if (problem.lattice().inside(I)) change += problem.lattice().volume(I) * rate[problem.at(0, I)];
-  });
-  change += shift * (after - before);  // nu enters its rate times the shift
-  EXPECT_NEAR(change, expected, 1e-12 * std::abs(expected)) << "rate of change of the volume against -outflow";
-  EXPECT_NEAR(imbalance.solids, 0, 1e-12 * std::abs(expected));
-  check(VecDestroy(&x));
-  check(VecDestroy(&f));
 }
 
 TEST(DiscreteProblem, TimeWindowsTakeEffectWhenConditionsAreUpdated) {

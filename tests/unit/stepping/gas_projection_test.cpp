@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../../jacobian/scenes.hpp"
+#include "scree/stepping/corrections.hpp"
 
 namespace scree::test {
 namespace {
@@ -12,7 +13,7 @@ Values projected(const Evaluation& problem, const DiscreteProblem& discrete, con
   Vec x;
   check(DMCreateGlobalVector(discrete.dm(), &x));
   problem.put(state, x);
-  check(discrete.project_gas(x));
+  check(project_gas(discrete, problem.time(), x));
   Values result = problem.get(x);
   check(VecDestroy(&x));
   return result;

@@ -67,22 +67,5 @@ TEST(NewtonTolerance, ForgetsFailuresAfterTwiceTheWait) {
   EXPECT_EQ(tolerance.wait, 10);
 }
 
-TEST(NewtonProgress, IsLostWhereTheBestIsLongAgoOrFarBelow) {
-  NewtonProgress progress;
-  int iteration = 0;
-  for (const double residual : {1., 0.1, 0.9, 0.5, 0.4, 0.3}) EXPECT_FALSE(progress.is_lost(iteration++, residual));
-  EXPECT_TRUE(progress.is_lost(iteration, 0.2));
-  EXPECT_FALSE(progress.is_lost(iteration, 0.09));
-  EXPECT_FALSE(progress.is_lost(iteration + 1, 0.89));
-  EXPECT_TRUE(progress.is_lost(iteration + 1, 0.91));
-}
-
-TEST(NewtonProgress, BeginsAnewWithEachAttempt) {
-  NewtonProgress progress;
-  progress.is_lost(6, 1e-9);
-  EXPECT_FALSE(progress.is_lost(0, 1e3));
-  EXPECT_FALSE(progress.is_lost(4, 1e2));
-}
-
 }  // namespace
 }  // namespace scree::test

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "../../support/sample_problem.hpp"
 #include "scree/stepping/preset_trial.hpp"
@@ -33,32 +32,27 @@ class Presets : public testing::Test {
   PetscOptions options_ = nullptr;
 };
 
-TEST_F(Presets, SetWhatTheyList) {
-  check(apply_preset("ilu", 4));
-  for (const auto& [name, expected] : preset_options("ilu", 4))
-    EXPECT_EQ(value(("-" + name).c_str()), expected) << name;
-}
-
 TEST_F(Presets, GiveWayToTheUser) {
   check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
   check(PetscOptionsSetValue(nullptr, "-pc_type", "asm"));
-  check(apply_preset("ilu", 4));
+  ScopedOptions options;
+  check(options.set("", preset_options(SolverPreset::ilu, 4)));
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   EXPECT_EQ(value("-pc_type"), "asm");
   EXPECT_EQ(value("-ksp_type"), "bcgs");
+  check(options.clear());
 }
 
 TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
   check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
-  std::vector<std::string> added;
-  check(apply_preset("fieldsplit", 8, 5, &added));
-  EXPECT_EQ(std::count(added.begin(), added.end(), "ksp_rtol"), 0);
-  check(remove_options(added));
-  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "(not set)");
-  check(apply_preset("multigrid", 8, 5));
+  ScopedOptions options;
+  check(options.set("", preset_options(SolverPreset::fieldsplit, 8, 5)));
+  EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "ilu");
+  check(options.set("", preset_options(SolverPreset::multigrid, 8, 5)));
   EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
+  check(options.clear());
 }
 
 TEST(PresetTrial, TriesMultigridAndComesBack) {
@@ -151,46 +145,46 @@ TEST(PresetTrial, GoesOnFromItsState) {
   EXPECT_TRUE(again.turns(1, 25, true));
 }
 
+std::string option(const PetscOptionList& list, const std::string& name) {
+  for (const auto& [key, text] : list)
+    if (key == name) return text;
+  return "(not set)";
+}
+
+constexpr SolverPreset all_presets[] = {SolverPreset::direct, SolverPreset::ilu, SolverPreset::multigrid,
+                                        SolverPreset::fieldsplit};
+
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
-  check(apply_preset("fieldsplit", 5));
+  const PetscOptionList list = preset_options(SolverPreset::fieldsplit, 5);
   std::string fields;
-  for (const char* name : {"-pc_fieldsplit_0_fields", "-pc_fieldsplit_1_fields"}) fields += value(name) + ',';
+  for (const char* name : {"pc_fieldsplit_0_fields", "pc_fieldsplit_1_fields"}) fields += option(list, name) + ',';
   for (const char c : std::string("01234"))
     EXPECT_EQ(std::count(fields.begin(), fields.end(), c), 1) << "component " << c << " in " << fields;
 }
 
 TEST_F(Presets, GasPressureIsSplitFromAllOthers) {
-  for (const char* preset : {"fieldsplit", "multigrid"}) {
-    std::string rest, pressure;
-    for (const auto& [name, text] : preset_options(preset, 8, 5)) {
-      if (name == "pc_fieldsplit_0_fields") rest = text;
-      if (name == "pc_fieldsplit_1_fields") pressure = text;
-    }
-    EXPECT_EQ(rest, "0,1,2,3,4,6,7") << preset;
-    EXPECT_EQ(pressure, "5") << preset;
+  for (const SolverPreset preset : {SolverPreset::fieldsplit, SolverPreset::multigrid}) {
+    const PetscOptionList list = preset_options(preset, 8, 5);
+    EXPECT_EQ(option(list, "pc_fieldsplit_0_fields"), "0,1,2,3,4,6,7") << name_of(preset);
+    EXPECT_EQ(option(list, "pc_fieldsplit_1_fields"), "5") << name_of(preset);
   }
 }
 
 TEST_F(Presets, NameNoOptionTwice) {
-  for (const char* preset : {"direct", "ilu", "multigrid", "fieldsplit"})
+  for (const SolverPreset preset : all_presets)
     for (const int gas_pressure : {-1, 5}) {
       PetscOptionList options = preset_options(preset, 8, gas_pressure);
       std::sort(options.begin(), options.end());
       const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
-      EXPECT_EQ(std::adjacent_find(options.begin(), options.end(), same_name), options.end()) << preset;
+      EXPECT_EQ(std::adjacent_find(options.begin(), options.end(), same_name), options.end()) << name_of(preset);
     }
 }
 
 TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
-  std::vector<std::string> added;
-  check(apply_preset("fieldsplit", 8, 5, &added, 1));
-  EXPECT_EQ(value("-fieldsplit_0_sub_pc_factor_levels"), "1");
-  check(remove_options(added));
-  check(apply_preset("fieldsplit", 8, 5, &added));
-  EXPECT_EQ(value("-fieldsplit_0_sub_pc_factor_levels"), "0");
+  for (const int fill : {0, 1})
+    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, 8, 5, fill), "fieldsplit_0_sub_pc_factor_levels"),
+              std::to_string(fill));
 }
-
-TEST_F(Presets, UnknownNameIsAnError) { EXPECT_THROW(preset_options("amg", 4), std::invalid_argument); }
 
 }  // namespace
 }  // namespace scree::test
