@@ -32,7 +32,7 @@ Measures::Measures(const Case& scene, const DiscreteProblem& problem)
     if (field.is<GranularEnergy>()) T_ = field.component;
 }
 
-std::vector<Quantity> Measures::quantities(Vec state) const {
+std::vector<Quantity> Measures::quantities(double time, Vec state) const {
   std::vector<Quantity> list;
   const auto add = [&](const std::string& name, const std::string& unit, const std::string& text, auto&& measure) {
     list.push_back({{name, unit, text}, state ? measure() : 0.0});
@@ -45,8 +45,9 @@ std::vector<Quantity> Measures::quantities(Vec state) const {
   const std::vector<CellField> derived = state ? derived_cells(problem_, state) : std::vector<CellField>();
   const Motion moving = state ? motion(state, derived) : Motion();
 
-  add("discharge_rate", "kg/s", "mass of particles that leaves through the sides, less what comes in",
-      [&] { return flux(Phase::solids, [&](Phase p, double* value) { return problem_.outflow(state, p, value); }); });
+  add("discharge_rate", "kg/s", "mass of particles that leaves through the sides, less what comes in", [&] {
+    return flux(Phase::solids, [&](Phase p, double* value) { return problem_.outflow(time, state, p, value); });
+  });
   add("mass", "kg", "mass of the particles in the box", [&] {
     double volume;
     check_petsc(problem_.solids_volume(state, &volume), "solids volume");
@@ -78,7 +79,7 @@ std::vector<Quantity> Measures::quantities(Vec state) const {
     add_range(field, [&] { return range(derived[static_cast<std::size_t>(field.component)]); });
   for (const FluxPlane& plane : scene_.flux_planes) {
     const auto through = [&](Phase phase, double* value) {
-      return problem_.plane_flux(state, phase, plane.axis, plane.position, plane.patch, value);
+      return problem_.plane_flux(time, state, phase, plane.axis, plane.position, plane.patch, value);
     };
     const int sign = plane.upward ? 1 : -1;
     add("flux_" + plane.name, "kg/s", "mass of particles through flux plane " + plane.name,

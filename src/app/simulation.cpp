@@ -11,29 +11,12 @@
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
-#include "scree/solver/consistent_gas.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/consistent_gas.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree {
 
 namespace {
-
-const char* name_of(SolverPreset preset) {
-  switch (preset) {
-    case SolverPreset::direct:
-      return "direct";
-    case SolverPreset::ilu:
-      return "ilu";
-    case SolverPreset::multigrid:
-      return "multigrid";
-    default:
-      return "fieldsplit";
-  }
-}
-
-const char* name_of(TimeScheme scheme) {
-  return scheme == TimeScheme::bdf ? "bdf" : scheme == TimeScheme::arkimex ? "arkimex" : "beuler";
-}
 
 PresetTrial::Rule trial_rule(const Case& scene) {
   if (scene.gas.model == GasModel::none) return PresetTrial::without_gas;
@@ -44,7 +27,7 @@ PresetTrial::Rule trial_rule(const Case& scene) {
 
 StepControl Simulation::step_control(const Case& scene) {
   const TimeParameters& t = scene.time;
-  return {name_of(t.scheme), t.step_initial, t.step_min, t.step_max, t.accuracy, t.adaptive, scene.solver.extrapolate};
+  return {t.scheme, {t.step_initial, t.step_min, t.step_max, t.adaptive}, t.accuracy, scene.solver.extrapolate};
 }
 
 Simulation::Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& models, Progress& log)
@@ -53,12 +36,11 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& mod
       log_(log),
       problem_(problem_setup(scene, models)),
       clock_(comm),
-      first_preset_(scene.solver.preset),
       trial_(trial_rule(scene)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
-  apply_solver_preset(scene_.solver.preset);
+  print_solver();
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
-  check_petsc(stepper_->create(0), "set-up of the solver");
+  check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
   measures_ = std::make_unique<Measures>(scene_, problem_);
 
   probes_ = std::make_unique<ProbeSet>(scene_.box, problem_.dm(), problem_.model().fields(), scene_.probes);
@@ -73,37 +55,30 @@ Simulation::Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& mod
     restart();
 }
 
-void Simulation::print_solver(int fill) const {
-  const Model& model = problem_.model();
+SolverPreset Simulation::preset() const {
+  return !scene_.solver.preset_given && trial_.multigrid() ? SolverPreset::multigrid : scene_.solver.preset;
+}
+
+int Simulation::fill() const { return scene_.solver.preset_given ? 0 : trial_.fill(); }
+
+PetscOptionList Simulation::solver_options() const {
+  return preset_options(preset(), problem_.model().unknowns(), problem_.model().component<GasContinuity>(), fill());
+}
+
+void Simulation::print_solver() const {
+  if (!scene_.solver.view) return;
   std::string options;
-  for (const auto& [name, value] :
-       preset_options(name_of(scene_.solver.preset), model.unknowns(), model.component<GasContinuity>(), fill))
-    options += " -" + name + ' ' + value;
-  log_.remark("solver preset %s:%s", name_of(scene_.solver.preset), options.c_str());
-}
-
-void Simulation::apply_solver_preset(SolverPreset preset, int fill) {
-  const Model& model = problem_.model();
-  check_petsc(remove_options(preset_options_), "solver preset");
-  preset_options_.clear();
-  scene_.solver.preset = preset;
-  check_petsc(apply_preset(name_of(preset), model.unknowns(), model.component<GasContinuity>(), &preset_options_, fill),
-              "solver preset");
-  if (scene_.solver.view) print_solver(fill);
-}
-
-void Simulation::apply_trial() {
-  apply_solver_preset(trial_.multigrid() ? SolverPreset::multigrid : first_preset_, trial_.fill());
+  for (const auto& [name, value] : solver_options()) options += " -" + name + ' ' + value;
+  log_.remark("solver preset %s:%s", name_of(preset()), options.c_str());
 }
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
   if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
-  apply_trial();
-  check_petsc(stepper_->make_preconditioner_anew(), "solver preset");
+  print_solver();
+  check_petsc(stepper_->change_preconditioner(solver_options()), "solver preset");
   log_.remark("time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on", stepper_->time(),
-              trial_.iterations(), name_of(scene_.solver.preset),
-              !trial_.multigrid() && trial_.fill() > 0 ? " with ILU(1)" : "");
+              trial_.iterations(), name_of(preset()), !trial_.multigrid() && fill() > 0 ? " with ILU(1)" : "");
 }
 
 void Simulation::start_new() {
@@ -118,7 +93,8 @@ void Simulation::start_new() {
 /// p_g and u that belong to the rest of the state and to the conditions of this time.
 void Simulation::make_gas_consistent() {
   bool done;
-  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), stepper_->time(), stepper_->state(), &done),
+  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), solver_options(), stepper_->time(),
+                                         stepper_->state(), &done),
               "consistent gas");
   if (!done) log_.remark("no consistent gas pressure found at t = %g s: it starts as it is", stepper_->time());
 }
@@ -133,8 +109,8 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
-  restore_members(saved, "trial_", trial_.state());
-  if (!scene_.solver.preset_given && (trial_.multigrid() || trial_.fill() > 0)) apply_trial();
+  restore_members(saved, "", trial_.state());
+  check_petsc(stepper_->change_preconditioner(solver_options()), "restart");
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
   restore_members(saved, "", stepper_->history());
@@ -299,7 +275,8 @@ std::vector<Quantity> Simulation::monitor_row(const StepReport* report) const {
   if (scene_.gas.model != GasModel::none)
     row.push_back({{"gas_volume_error", "1", "volume of gas lost or gained since the start, over that at the start"},
                    gas_volume_error()});
-  for (const Quantity& quantity : measures_->quantities(report ? stepper_->state() : nullptr)) row.push_back(quantity);
+  for (const Quantity& quantity : measures_->quantities(stepper_->time(), report ? stepper_->state() : nullptr))
+    row.push_back(quantity);
   const std::vector<double> at_probes = report ? probes_->values(stepper_->state()) : std::vector<double>();
   for (std::size_t k = 0; k < probes_->columns().size(); ++k)
     row.push_back({probes_->columns()[k], report ? at_probes[k] : 0.0});
@@ -322,7 +299,7 @@ void Simulation::write_fields() {
 void Simulation::write_checkpoint() {
   NamedScalars scalars{{"time", stepper_->time()}};
   store_members(stepper_->history(), "", scalars);
-  store_members(trial_.state(), "trial_", scalars);
+  store_members(trial_.state(), "", scalars);
   store_members(totals_, "", scalars);
   NamedVecs vectors{{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}};
   if (average_) {
@@ -344,7 +321,7 @@ void Simulation::write_summary(const std::string& end) {
   Summary summary;
   summary["end"] = end;
   summary["time"] = stepper_->time();
-  for (const Quantity& quantity : measures_->quantities(stepper_->state()))
+  for (const Quantity& quantity : measures_->quantities(stepper_->time(), stepper_->state()))
     summary["quantities"][quantity.column.name] = quantity.value;
   summary["quantities"]["mass_error"] = mass_error();
   if (scene_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();

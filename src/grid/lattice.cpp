@@ -1,5 +1,10 @@
 #include "scree/grid/lattice.hpp"
 
+#include <stdexcept>
+#include <string>
+
+#include "scree/grid/rank_split.hpp"
+
 namespace scree {
 
 Axis::Axis(const std::vector<double>& faces, bool periodic)
@@ -67,6 +72,44 @@ double Lattice::control_length(int axis, const Index& I) const {
   return (on_side(axis, I) ? 0.5 : 1.0) * axes[axis].distance(I[axis]);
 }
 
+namespace {
+
+[[noreturn]] void refuse_ranks(const Box& box, const SharedGrid& grid, int ranks) {
+  std::string cells;
+  for (int axis = 0; axis < box.dim; ++axis) cells += (axis > 0 ? " x " : "") + std::to_string(box.cells(axis));
+  const std::string width = std::to_string(grid.stencil_width);
+  const int most = most_ranks(grid, ranks);
+  if (most == 0)
+    throw std::runtime_error("a grid of " + cells + " cells: expected at least " + width + " along a periodic axis");
+  throw std::runtime_error("a grid of " + cells + " cells on " + std::to_string(ranks) + " ranks: expected at most " +
+                           std::to_string(most) + " ranks, or a number that splits into " + width +
+                           " cells or more along each axis");
+}
+
+/// Has `dm` split over the ranks in a way that works. PETSc would find out for each rank alone whether its part is wide
+/// enough: some would end, the others wait for them.
+PetscErrorCode set_rank_split(MPI_Comm comm, const Box& box, int stencil_width, DM dm) {
+  PetscFunctionBeginUser;
+  int ranks;
+  PetscInt nodes[max_dim], given[max_dim];
+  SharedGrid grid;
+  PetscCallMPI(MPI_Comm_size(comm, &ranks));
+  PetscCall(DMDAGetInfo(dm, nullptr, &nodes[0], &nodes[1], &nodes[2], &given[0], &given[1], &given[2], nullptr, nullptr,
+                        nullptr, nullptr, nullptr, nullptr));
+  grid.stencil_width = stencil_width;
+  for (int axis = 0; axis < box.dim; ++axis) {
+    grid.nodes[axis] = static_cast<int>(nodes[axis]);
+    grid.periodic[axis] = box.periodic[axis];
+    grid.given[axis] = std::max(0, static_cast<int>(given[axis]));
+  }
+  const auto split = split_over_ranks(grid, ranks);
+  if (!split) refuse_ranks(box, grid, ranks);
+  if (box.dim > 1) PetscCall(DMDASetNumProcs(dm, (*split)[0], (*split)[1], (*split)[2]));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace
+
 PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
   PetscFunctionBeginUser;
   DMBoundaryType ends[max_dim];
@@ -86,6 +129,7 @@ PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stenci
                            PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, unknowns, stencil_width, nullptr, nullptr, nullptr,
                            dm));
   PetscCall(DMSetFromOptions(*dm));
+  PetscCall(set_rank_split(comm, box, stencil_width, *dm));
   PetscCall(DMSetUp(*dm));
   PetscFunctionReturn(0);
 }

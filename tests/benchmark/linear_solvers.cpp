@@ -24,7 +24,9 @@
 #include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/corrections.hpp"
+#include "scree/stepping/orderings.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree::test {
 namespace {
@@ -67,11 +69,6 @@ Case refined_case(CaseInput input, int times) {
   const std::string* own = input.find("grid_refine");
   input.set("grid_refine", std::to_string((own ? std::stoi(*own) : 1) * times));
   return read_case(input);
-}
-
-const char* name_of(SolverPreset preset) {
-  constexpr const char* names[] = {"direct", "ilu", "multigrid", "fieldsplit"};
-  return names[static_cast<int>(preset)];
 }
 
 // ---- the state on the finer grid ----
@@ -157,8 +154,8 @@ void interpolate(const CoarseState& coarse, const DiscreteProblem& fine, Vec sta
         value = fine.barriers().condition(field.face_axis, I).velocity[field.face_axis] / field.scale;
     });
   check(VecRestoreArray(state, &x));
-  check(fine.impose_gas(state));
-  check(fine.project_gas(state));
+  check(impose_gas(fine, coarse.time, state));
+  check(project_gas(fine, coarse.time, state));
 }
 
 // ---- the system ----
@@ -167,27 +164,22 @@ void interpolate(const CoarseState& coarse, const DiscreteProblem& fine, Vec sta
 class System {
  public:
   System(DiscreteProblem& problem, Vec state, double time, double dt) : problem_(problem), time_(time), dt_(dt) {
-    check(TSCreate(PETSC_COMM_WORLD, &ts_));
-    check(problem.attach(ts_));
     for (Vec* vector : {&guess_, &rate_, &right_side, &solution}) check(VecDuplicate(state, vector));
     check(VecCopy(state, guess_));
-    check(problem.raise_temperature(guess_, dt));  // as the program does
+    check(raise_temperature(problem, dt, guess_));  // as the program does
     check(VecWAXPY(rate_, -1, state, guess_));
     check(VecScale(rate_, 1 / dt));
-    check(TSComputeIFunction(ts_, time + dt, guess_, rate_, right_side, PETSC_FALSE));
+    check(problem.residual(time + dt, guess_, rate_, right_side));
     check(VecScale(right_side, -1));
     assemble();
   }
   ~System() {
     for (Vec* vector : {&guess_, &rate_, &right_side, &solution}) (void)VecDestroy(vector);
-    (void)TSDestroy(&ts_);
   }
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  void assemble() {
-    check(TSComputeIJacobian(ts_, time_ + dt_, guess_, rate_, 1 / dt_, matrix(), matrix(), PETSC_FALSE));
-  }
+  void assemble() { check(problem_.jacobian(time_ + dt_, guess_, rate_, 1 / dt_, matrix())); }
   Mat matrix() const { return problem_.matrix(); }
   double residual() const {
     Vec difference;
@@ -204,7 +196,6 @@ class System {
  private:
   DiscreteProblem& problem_;
   double time_, dt_;
-  TS ts_ = nullptr;
   Vec guess_ = nullptr, rate_ = nullptr;
 
  public:
@@ -335,7 +326,10 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   }
   System system(problem, state, time, options.dt);
   const char* preset = name_of(scene.solver.preset);
-  check(apply_preset(preset, problem.model().unknowns(), problem.model().component<GasContinuity>()));
+  check(register_orderings());
+  ScopedOptions of_preset;
+  check(of_preset.set(
+      "", preset_options(scene.solver.preset, problem.model().unknowns(), problem.model().component<GasContinuity>())));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();

@@ -4,8 +4,8 @@
 #include "scenes.hpp"
 #include "scree/app/initial_state.hpp"
 #include "scree/app/problem_setup.hpp"
-#include "scree/solver/consistent_gas.hpp"
-#include "scree/solver/presets.hpp"
+#include "scree/stepping/consistent_gas.hpp"
+#include "scree/stepping/presets.hpp"
 
 namespace scree::benchmarks {
 namespace {
@@ -18,14 +18,15 @@ class DevelopedFlow {
     check(problem_.create(PETSC_COMM_SELF, 0));
     const Model& model = problem_.model();
     const bool gas = model.component<GasContinuity>() >= 0;
-    check(apply_preset(gas ? "fieldsplit" : "multigrid", model.unknowns(), model.component<GasContinuity>()));
+    const PetscOptionList solver = preset_options(gas ? SolverPreset::fieldsplit : SolverPreset::multigrid,
+                                                  model.unknowns(), model.component<GasContinuity>());
     StepControl control;
-    control.step_initial = case_.time.step_initial;
+    control.step.initial = case_.time.step_initial;
     stepper_ = std::make_unique<TimeStepper>(problem_, control);
-    check(stepper_->create(0));
+    check(stepper_->create(0, solver));
     set_initial_state(case_, problem_, stepper_->state());
     bool done;
-    check(make_gas_consistent(problem_, control, 0, stepper_->state(), &done));
+    check(make_gas_consistent(problem_, control, solver, 0, stepper_->state(), &done));
     for (StepReport report; stepper_->time() < until * (1 - 1e-12) && !report.failed;)
       check(stepper_->step(until, &report));
     prepare();
@@ -59,16 +60,12 @@ class DevelopedFlow {
   /// Residual and Jacobian of the first Newton iteration of a step as long as those of the plateau.
   void prepare() {
     constexpr double dt = 0.01;
-    SNES snes;
     check(VecDuplicate(stepper_->state(), &rate_));
     check(VecDuplicate(rate_, &right_));
     check(VecDuplicate(rate_, &solution_));
-    const TS ts = stepper_->ts();
-    check(TSComputeIFunction(ts, stepper_->time(), stepper_->state(), rate_, right_, PETSC_FALSE));
-    check(TSComputeIJacobian(ts, stepper_->time(), stepper_->state(), rate_, 1 / dt, problem_.matrix(),
-                             problem_.matrix(), PETSC_FALSE));
-    check(TSGetSNES(ts, &snes));
-    check(SNESGetKSP(snes, &ksp_));
+    check(problem_.residual(stepper_->time(), stepper_->state(), rate_, right_));
+    check(problem_.jacobian(stepper_->time(), stepper_->state(), rate_, 1 / dt, problem_.matrix()));
+    check(SNESGetKSP(stepper_->newton(), &ksp_));
     check(KSPSetReusePreconditioner(ksp_, PETSC_FALSE));
   }
 

@@ -70,8 +70,6 @@ Case read_scene(const Scene& scene, int refine) {
 Sample::Sample(const Scene& scene, int refine) : problem_(problem_setup(read_scene(scene, refine))) {
   const Case read = read_scene(scene, refine);
   check(problem_.create(PETSC_COMM_SELF, 0));
-  check(TSCreate(PETSC_COMM_SELF, &ts_));
-  check(problem_.attach(ts_));
   check(DMCreateGlobalVector(problem_.dm(), &state_));
   check(VecDuplicate(state_, &rate_));
   check(VecDuplicate(state_, &residual_));
@@ -82,17 +80,11 @@ Sample::Sample(const Scene& scene, int refine) : problem_(problem_setup(read_sce
 
 Sample::~Sample() {
   for (Vec* vector : {&state_, &rate_, &residual_}) (void)VecDestroy(vector);
-  (void)TSDestroy(&ts_);
 }
 
-void Sample::residual() { check(TSComputeIFunction(ts_, 0, state_, rate_, residual_, PETSC_FALSE)); }
+void Sample::residual() { check(problem_.residual(0, state_, rate_, residual_)); }
 
-void Sample::jacobian() {
-  double* x;  // asked for to be written: TS would keep the matrix of the same state
-  check(VecGetArray(state_, &x));
-  check(VecRestoreArray(state_, &x));
-  check(TSComputeIJacobian(ts_, 0, state_, rate_, 100, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
-}
+void Sample::jacobian() { check(problem_.jacobian(0, state_, rate_, 100, problem_.matrix())); }
 
 int Sample::cells() const {
   int cells = 1;

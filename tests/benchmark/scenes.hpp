@@ -1,14 +1,12 @@
 /// Problems to measure: scenes of cases/, on their grid or a finer one, in states where nothing is uniform.
 #pragma once
 
-#include <petscts.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "scree/config/case.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree::benchmarks {
 
@@ -25,7 +23,7 @@ std::vector<Scene> scenes(const std::string& cases);
 /// The case of a scene. PETSc's options database is empty from then on.
 Case read_scene(const Scene& scene, int refine);
 
-/// A problem with a state and its rate, and the TS through which it is evaluated.
+/// A problem with a state and its rate.
 class Sample {
  public:
   Sample(const Scene& scene, int refine);
@@ -41,7 +39,6 @@ class Sample {
 
  private:
   DiscreteProblem problem_;
-  TS ts_ = nullptr;
   Vec state_ = nullptr, rate_ = nullptr, residual_ = nullptr;
 };
 

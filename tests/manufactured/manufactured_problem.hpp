@@ -6,7 +6,7 @@
 #include <map>
 
 #include "../support/sample_problem.hpp"
-#include "scree/solver/orderings.hpp"
+#include "scree/stepping/orderings.hpp"
 #include "sources.hpp"
 
 namespace scree::test {
@@ -24,8 +24,6 @@ class ManufacturedProblem {
   ManufacturedProblem(const ProblemSetup& setup, const ExactFields& exact, int band)
       : exact_(exact), band_(band), problem_(setup) {
     check(problem_.create(PETSC_COMM_WORLD, 0));
-    check(TSCreate(PETSC_COMM_WORLD, &ts_));
-    check(problem_.attach(ts_));
     check(DMCreateGlobalVector(problem_.dm(), &solution_));
     for (Vec* vector : {&exact_values_, &source_, &residual_, &rate_}) check(VecDuplicate(solution_, vector));
     check(MatSetOption(problem_.matrix(), MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
@@ -34,7 +32,6 @@ class ManufacturedProblem {
   ~ManufacturedProblem() {
     for (Vec* vector : {&solution_, &exact_values_, &source_, &residual_, &rate_}) (void)VecDestroy(vector);
     (void)KSPDestroy(&ksp_);
-    (void)TSDestroy(&ts_);
   }
   ManufacturedProblem(const ManufacturedProblem&) = delete;
   ManufacturedProblem& operator=(const ManufacturedProblem&) = delete;
@@ -151,10 +148,10 @@ class ManufacturedProblem {
   double newton() {
     check(VecWAXPY(rate_, -1, exact_values_, solution_));
     check(VecScale(rate_, 1 / step));
-    check(TSComputeIFunction(ts_, 0, solution_, rate_, residual_, PETSC_FALSE));
+    check(problem_.residual(0, solution_, rate_, residual_));
     check(VecAXPY(residual_, -1, source_));
     hold(residual_);
-    check(TSComputeIJacobian(ts_, 0, solution_, rate_, 1 / step, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
+    check(problem_.jacobian(0, solution_, rate_, 1 / step, problem_.matrix()));
     check(MatZeroRows(problem_.matrix(), static_cast<PetscInt>(held_.size()), held_.data(), 1, nullptr, nullptr));
     set_up_solver();
     check(KSPSolve(ksp_, residual_, rate_));
@@ -207,7 +204,6 @@ class ManufacturedProblem {
   ExactFields exact_;
   int band_;
   DiscreteProblem problem_;
-  TS ts_ = nullptr;
   KSP ksp_ = nullptr;
   Vec solution_ = nullptr, exact_values_ = nullptr, source_ = nullptr, residual_ = nullptr, rate_ = nullptr;
   std::vector<PetscInt> held_;

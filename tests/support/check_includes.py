@@ -19,8 +19,8 @@ MAY_INCLUDE = {
     "balances": {"math", "closures", "grid", "boundary", "assembly"},
     "kernels": {"math", "closures", "grid", "boundary", "assembly", "balances"},
     "model": {"math", "closures", "grid", "boundary", "assembly", "balances", "kernels"},
-    "solver": {"math", "closures", "grid", "boundary", "assembly", "balances", "model"},
-    "config": {"math", "closures", "grid", "boundary", "assembly", "balances"},
+    "stepping": {"math", "closures", "grid", "boundary", "assembly", "balances", "model"},
+    "config": {"math", "closures", "grid", "boundary", "assembly", "balances", "stepping"},
     "output": {"math", "grid"},
 }
 MAY_INCLUDE["app"] = set(MAY_INCLUDE)

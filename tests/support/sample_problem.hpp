@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scree/balances/present.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree::test {
 
@@ -112,14 +112,12 @@ inline double noise(const Index& I, int component, int seed) {
 /// Values of all unknowns at all nodes of the grid in natural order, the same on all ranks.
 using Values = std::vector<double>;
 
-/// A problem that can be evaluated at states in natural order, through the callbacks that TS uses.
+/// A problem that can be evaluated at states in natural order.
 class Evaluation {
  public:
   /// Residual and Jacobian are those at `time`.
   Evaluation(MPI_Comm comm, const ProblemSetup& setup, double time = 0) : comm_(comm), time_(time), problem_(setup) {
     check(problem_.create(comm, time));
-    check(TSCreate(comm, &ts_));
-    check(problem_.attach(ts_));
     check(DMCreateGlobalVector(problem_.dm(), &state_));
     for (Vec* vector : {&rate_, &result_, &direction_}) check(VecDuplicate(state_, vector));
     for (int axis = 0; axis < max_dim; ++axis)
@@ -127,12 +125,12 @@ class Evaluation {
   }
   ~Evaluation() {
     for (Vec* vector : {&state_, &rate_, &result_, &direction_}) (void)VecDestroy(vector);
-    (void)TSDestroy(&ts_);
   }
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
   DiscreteProblem& problem() { return problem_; }
+  double time() const { return time_; }
   const Lattice& lattice() const { return problem_.lattice(); }
   const std::vector<Field>& fields() const { return problem_.model().fields(); }
   int unknowns() const { return problem_.model().unknowns(); }
@@ -184,14 +182,14 @@ class Evaluation {
   Values residual(const Values& state, const Values& rate) {
     put(state, state_);
     put(rate, rate_);
-    check(TSComputeIFunction(ts_, time_, state_, rate_, result_, PETSC_FALSE));
+    check(problem_.residual(time_, state_, rate_, result_));
     return get(result_);
   }
   /// Assembles dF/dU + shift dF/d(dU/dt).
   void assemble(const Values& state, const Values& rate, double shift) {
     put(state, state_);
     put(rate, rate_);
-    check(TSComputeIJacobian(ts_, time_, state_, rate_, shift, problem_.matrix(), problem_.matrix(), PETSC_FALSE));
+    check(problem_.jacobian(time_, state_, rate_, shift, problem_.matrix()));
   }
   /// The assembled matrix times a direction.
   Values product(const Values& direction) {
@@ -222,7 +220,7 @@ class Evaluation {
   double outflow(const Values& state, Phase phase = Phase::solids) {
     double flux = 0;
     put(state, state_);
-    check(problem_.outflow(state_, phase, &flux));
+    check(problem_.outflow(time_, state_, phase, &flux));
     return flux;
   }
 
@@ -238,7 +236,6 @@ class Evaluation {
   MPI_Comm comm_;
   double time_;
   DiscreteProblem problem_;
-  TS ts_ = nullptr;
   Vec state_ = nullptr, rate_ = nullptr, result_ = nullptr, direction_ = nullptr;
   Index nodes_{{1, 1, 1}};
 };

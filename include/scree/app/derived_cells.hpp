@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scree/output/field_writer.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scree/config/case.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 

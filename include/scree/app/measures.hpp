@@ -7,7 +7,7 @@
 #include "scree/config/case.hpp"
 #include "scree/output/field_writer.hpp"
 #include "scree/output/monitor.hpp"
-#include "scree/solver/discrete_problem.hpp"
+#include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 
@@ -17,7 +17,7 @@ class Measures {
   Measures(const Case& scene, const DiscreteProblem& problem);
 
   /// Collective. Without a state (nullptr): the columns alone, all values 0.
-  std::vector<Quantity> quantities(Vec state) const;
+  std::vector<Quantity> quantities(double time, Vec state) const;
 
   /// Factor from solids volume [m^dim] to mass [kg].
   double mass_per_volume() const { return mass_per_volume_; }

@@ -14,8 +14,8 @@
 #include "scree/output/stop_request.hpp"
 #include "scree/output/summary.hpp"
 #include "scree/output/time_average.hpp"
-#include "scree/solver/preset_trial.hpp"
-#include "scree/solver/time_stepper.hpp"
+#include "scree/stepping/preset_trial.hpp"
+#include "scree/stepping/time_stepper.hpp"
 
 namespace scree {
 
@@ -38,8 +38,9 @@ class Simulation {
     double initial_volume = 0;  ///< [m^dim]
     double dt_max = 0;          ///< [s]
 
-    template <class Visit>
-    void each_member(Visit&& visit) {
+    /// Calls visit(name, member) for each; the names are those in checkpoints.
+    template <class Visitor>
+    void each_member(Visitor&& visit) {
       visit("steps", steps);
       visit("newton", newton);
       visit("krylov", krylov);
@@ -61,9 +62,10 @@ class Simulation {
   double next_limit() const;
   void step(StepReport* report);
   void enter_window();
-  void print_solver(int fill) const;
-  void apply_solver_preset(SolverPreset preset, int fill = 0);
-  void apply_trial();  ///< the preset and level of fill that the trial has come to
+  SolverPreset preset() const;             ///< that the case gives, or that the trial has come to
+  int fill() const;                        ///< likewise
+  PetscOptionList solver_options() const;  ///< of that preset
+  void print_solver() const;               ///< where the case asks for it
   void reconsider_preset(const StepReport& report);
   bool monitor_due() const;
   void account(const StepReport& report);
@@ -91,8 +93,6 @@ class Simulation {
   std::unique_ptr<TimeAverage> average_;  ///< if asked for
   std::unique_ptr<StopRequest> stop_;
   Totals totals_;
-  std::vector<std::string> preset_options_;  ///< those that the preset added to PETSc's
-  SolverPreset first_preset_;
   PresetTrial trial_;
   OutputTimes field_times_, checkpoint_times_;
 };

@@ -25,7 +25,7 @@ struct Dependences {
 
 /// The place of unknowns, their scales and the rows that are balances, and the visitors of kernels.
 struct Assembly {
-  Scene scene;
+  Scene scene;                                         ///< at whatever time: visitors are given one at theirs
   int unknowns;                                        ///< a node
   std::array<double, most_unknowns> scale, row_scale;  ///< of unknowns and of rows, one a component
   std::vector<std::uint16_t> balance;                  ///< bits of the rows that are balances, over ghosted nodes
@@ -122,7 +122,7 @@ struct Assembly {
   /// What visitors of kernels have in common: the anchor that they are at.
   struct Visitor {
     const Assembly& assembly;
-    Scene here = assembly.scene;
+    Scene here;
 
     void enter(const Index& I) { here.near = assembly.scene.barriers.near(I); }
   };
@@ -131,8 +131,8 @@ struct Assembly {
     const double *state, *rate;
     double* residual;
 
-    ResidualVisitor(const Assembly& a, const double* state_, const double* rate_, double* residual_)
-        : Visitor{a}, state(state_), rate(rate_), residual(residual_) {}
+    ResidualVisitor(const Assembly& a, const Scene& scene, const double* state_, const double* rate_, double* residual_)
+        : Visitor{a, scene}, state(state_), rate(rate_), residual(residual_) {}
 
     template <class Kernel>
     [[gnu::noinline]] void visit(const Index& I) {
@@ -153,7 +153,7 @@ struct Assembly {
   struct PatternVisitor : Visitor {
     EntrySink& sink;
 
-    PatternVisitor(const Assembly& a, EntrySink& sink_) : Visitor{a}, sink(sink_) {}
+    PatternVisitor(const Assembly& a, EntrySink& sink_) : Visitor{a, a.scene}, sink(sink_) {}
 
     template <class Kernel>
     [[gnu::noinline]] void visit(const Index& I) {
@@ -178,9 +178,9 @@ struct Assembly {
     std::ptrdiff_t anchor_entries = 0;  ///< of the anchor before
     double *diagonal, *off_diagonal;
 
-    JacobianVisitor(const Assembly& a, const double* state_, const double* rate_, double shift_,
+    JacobianVisitor(const Assembly& a, const Scene& scene, const double* state_, const double* rate_, double shift_,
                     const EntryPlaces& places, double* diagonal_, double* off_diagonal_)
-        : Visitor{a},
+        : Visitor{a, scene},
           state(state_),
           rate(rate_),
           shift(shift_),

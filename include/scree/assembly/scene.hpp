@@ -19,11 +19,14 @@ struct Scene : Metrics {
       : Metrics{lattice_}, barriers(barriers_), model(model_), solids(solids_) {}
 
   const GasParameters& gas() const { return solids.gas; }
-  void set_time(double t) {
-    time = t;
+  /// The scene as it is at time `t` [s].
+  Scene at(double t) const {
+    Scene result = *this;
+    result.time = t;
     const double omega = 2 * pi * model.vibration_frequency;
     for (int a = 0; a < max_dim; ++a)
-      gravity[a] = model.gravity[a] + omega * omega * std::sin(omega * time) * model.vibration_amplitude[a];
+      result.gravity[a] = model.gravity[a] + omega * omega * std::sin(omega * t) * model.vibration_amplitude[a];
+    return result;
   }
 
   // As in Barriers.

@@ -16,11 +16,9 @@
 #include "scree/grid/box.hpp"
 #include "scree/grid/sampling.hpp"
 #include "scree/grid/unknown.hpp"
+#include "scree/stepping/choices.hpp"
 
 namespace scree {
-
-enum class TimeScheme { beuler, bdf, arkimex };
-enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
 
 /// A value of an unknown at t = 0 [SI]; vectors have one an axis.
 struct InitialValue {

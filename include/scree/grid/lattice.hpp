@@ -97,7 +97,8 @@ void for_each_offset(const Lattice& grid, Work&& work) {
   for_each_node(first, count, work);
 }
 
-/// A DMDA for `unknowns` unknowns a node, `stencil_width` <= halo. The caller destroys it.
+/// A DMDA for `unknowns` unknowns a node, `stencil_width` <= halo. The caller destroys it. Throws std::runtime_error on
+/// all ranks where the grid is too small for so many.
 PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm);
 
 }  // namespace scree

@@ -33,7 +33,6 @@ class AssembledModel final : public Model {
       assembly_.scale[field.component] = field.scale;
       assembly_.row_scale[field.component] = field.unknown->row_scale(setup_.scales, setup_.solids.kinetic.rho_s);
     }
-    assembly_.scene.set_time(0);
     mark_balances();
     assembly_.mark_plain();
   }
@@ -41,16 +40,16 @@ class AssembledModel final : public Model {
   int unknowns() const override { return L::count; }
   const std::vector<Field>& fields() const override { return fields_; }
   double continuity_scale() const override { return assembly_.row_scale[L::nu]; }
-  void set_time(double time) override { assembly_.scene.set_time(time); }
   bool is_balance(int component, const Index& I) const override {
     return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
   }
 
-  void residual(const double* state, const double* rate, double* residual) const override {
+  void residual(double time, const double* state, const double* rate, double* residual) const override {
+    const Scene scene = assembly_.scene.at(time);
     std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
-    Assembly::ResidualVisitor visitor(assembly_, state, rate, residual);
+    Assembly::ResidualVisitor visitor(assembly_, scene, state, rate, residual);
     sweep(visitor);
-    each_constraint([&](const Constraint& c) {
+    each_constraint(scene, [&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
       residual[row] = constraint_value(c, state, rate);
     });
@@ -59,7 +58,7 @@ class AssembledModel final : public Model {
   void sparsity(EntrySink& sink) const override {
     Assembly::PatternVisitor visitor(assembly_, sink);
     sweep(visitor);
-    each_constraint([&](const Constraint& c) {
+    each_constraint(assembly_.scene, [&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
       sink.entry(row, assembly_.ghosted_unknown(c.component, c.node));
       if (c.kind == Constraint::follow) sink.entry(row, assembly_.ghosted_unknown(c.component, c.neighbour));
@@ -68,11 +67,12 @@ class AssembledModel final : public Model {
     each_pressure_row([&](int row, const Index& I) { sink.entry(row, assembly_.ghosted_unknown(L::p, I)); });
   }
 
-  void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places, double* diagonal,
-                double* off_diagonal) const override {
-    Assembly::JacobianVisitor visitor(assembly_, state, rate, shift, places, diagonal, off_diagonal);
+  void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
+                double* diagonal, double* off_diagonal) const override {
+    const Scene scene = assembly_.scene.at(time);
+    Assembly::JacobianVisitor visitor(assembly_, scene, state, rate, shift, places, diagonal, off_diagonal);
     sweep(visitor);
-    each_constraint([&](const Constraint& c) {
+    each_constraint(scene, [&](const Constraint& c) {
       if (c.kind == Constraint::superficial) {
         visitor.put(1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]);
         visitor.put(-state[assembly_.ghosted_unknown(c.component, c.node)]);
@@ -84,8 +84,8 @@ class AssembledModel final : public Model {
     each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
   }
 
-  void impose_gas(const double* state, double* owned) const override {
-    each_constraint([&](const Constraint& c) {
+  void impose_gas(double time, const double* state, double* owned) const override {
+    each_constraint(assembly_.scene.at(time), [&](const Constraint& c) {
       if (!L::is_u(c.component)) return;
       const bool superficial = c.kind == Constraint::superficial;
       const double share = superficial ? 1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)] : 1;
@@ -152,15 +152,16 @@ class AssembledModel final : public Model {
     return flux;
   }
 
-  double gas_flux(const double* state, int axis, const Index& I) const override {
+  double gas_flux(double time, const double* state, int axis, const Index& I) const override {
+    const Scene scene = assembly_.scene.at(time);
     double flux = 0;
     static_for<L::dim>([&](auto a) {
       if constexpr (L::has_gas) {
         using Kernel = GasVolumeFlux<Core, SecondOrder, a()>;
-        if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
+        if (a() != axis || !Kernel::active(scene, I)) return;
         Local<Kernel, double> q;
         assembly_.gather(state, I, q);
-        flux = scree::gas_flux<Core>(assembly_.scene, I, q, axis, Index{});
+        flux = scree::gas_flux<Core>(scene, I, q, axis, Index{});
       }
     });
     return flux;
@@ -279,17 +280,18 @@ class AssembledModel final : public Model {
       });
   }
 
-  /// Calls work(Constraint) for each owned row that is no balance, always in the same order.
+  /// Calls work(Constraint) for each owned row that is no balance, always in the same order, with the values that
+  /// hold at the time of `scene`.
   template <class Work>
-  void each_constraint(Work&& work) const {
+  void each_constraint(const Scene& scene, Work&& work) const {
     const Lattice& grid = setup_.lattice;
     for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
       for (int component = 0; component < L::count; ++component)
-        if (!is_balance(component, I)) work(constraint(component, I));
+        if (!is_balance(component, I)) work(constraint(scene, component, I));
     });
   }
 
-  Constraint constraint(int component, const Index& I) const {
+  Constraint constraint(const Scene& scene, int component, const Index& I) const {
     const Lattice& grid = setup_.lattice;
     Constraint result{Constraint::fix, component, I};
     if (!L::is_velocity(component)) {
@@ -298,7 +300,7 @@ class AssembledModel final : public Model {
     }
     const int axis = L::axis_of(component);
     if (!grid.is_face(axis, I)) return result;
-    if (L::is_u(component)) return gas_constraint(result, axis);
+    if (L::is_u(component)) return gas_constraint(scene, result, axis);
     if (!setup_.model.solids_moving) {
       result.kind = Constraint::freeze;
       return result;
@@ -306,7 +308,7 @@ class AssembledModel final : public Model {
     const Condition& condition = setup_.barriers.condition(axis, I);
     if (condition.kind.lets_solids_out()) {
       result.kind = Constraint::follow;
-      result.neighbour = box_above(assembly_.scene, axis, I) ? I + unit(axis) : I - unit(axis);
+      result.neighbour = box_above(scene, axis, I) ? I + unit(axis) : I - unit(axis);
     } else if (condition.kind.solids_normal != SolidsNormal::zero) {
       result.value = condition.velocity[axis] / assembly_.scale[component];
     }
@@ -314,12 +316,12 @@ class AssembledModel final : public Model {
   }
 
   /// The constraint of u on a side or plate.
-  Constraint gas_constraint(Constraint result, int axis) const {
+  Constraint gas_constraint(const Scene& scene, Constraint result, int axis) const {
     const Condition& condition = setup_.barriers.condition(axis, result.node);
     if (condition.kind.brings_gas()) {
       result.kind = Constraint::superficial;
-      result.value = given_gas_flux(assembly_.scene, axis, result.node) / assembly_.scale[result.component];
-      result.neighbour = box_above(assembly_.scene, axis, result.node) ? result.node : result.node - unit(axis);
+      result.value = given_gas_flux(scene, axis, result.node) / assembly_.scale[result.component];
+      result.neighbour = box_above(scene, axis, result.node) ? result.node : result.node - unit(axis);
     } else if (condition.kind.gas_normal != GasNormal::zero) {
       result.value = condition.velocity[axis] / assembly_.scale[result.component];
     }

@@ -25,23 +25,24 @@ class Model {
   virtual int unknowns() const = 0;          ///< per node
   virtual const std::vector<Field>& fields() const = 0;
 
-  /// Residual F(t, U, dU/dt), every owned row set. Row scales: (1) and (23) by the time scale; (3) by rho_s g.
-  virtual void residual(const double* state, const double* rate, double* residual) const = 0;
+  /// Residual F(t, U, dU/dt) at `time` [s], every owned row set. Row scales: (1) and (23) by the time scale; (3) by
+  /// rho_s g.
+  virtual void residual(double time, const double* state, const double* rate, double* residual) const = 0;
   /// The entries that `jacobian` produces.
   virtual void sparsity(EntrySink& sink) const = 0;
   /// Adds dF/dU + shift dF/d(dU/dt) into the arrays of the two blocks, zeroed by the caller.
-  virtual void jacobian(const double* state, const double* rate, double shift, const EntryPlaces& places,
+  virtual void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
                         double* diagonal, double* off_diagonal) const = 0;
 
   /// The residual of (1) at an owned cell is rate - divergence in units of 1/time scale; this is that factor.
   virtual double continuity_scale() const = 0;
   /// Volume flux of solids nu v at the lower `axis` face of an owned node, SI, as in the balances [m/s].
   virtual double solids_flux(const double* state, int axis, const Index& I) const = 0;
-  /// Volume flux of gas (1-nu) u there [m/s]; 0 without gas.
-  virtual double gas_flux(const double* state, int axis, const Index& I) const = 0;
-  /// Sets u on sides and plates to what their conditions say for the nu of `state`; `owned` is the same state without
-  /// ghosts.
-  virtual void impose_gas(const double* state, double* owned) const = 0;
+  /// Volume flux of gas (1-nu) u there at `time`, on which inlets depend [m/s]; 0 without gas.
+  virtual double gas_flux(double time, const double* state, int axis, const Index& I) const = 0;
+  /// Sets u on sides and plates to what their conditions say at `time` for the nu of `state`; `owned` is the same state
+  /// without ghosts.
+  virtual void impose_gas(double time, const double* state, double* owned) const = 0;
   /// Moves chi in `owned`, the same state without ghosts, by `share` of its way to chi* (21) of `state`, where it is an
   /// unknown.
   virtual void relax_chi(const double* state, double share, double* owned) const = 0;
@@ -58,8 +59,6 @@ class Model {
       if (field.is<Balance>()) return field.component + axis;
     return -1;
   }
-  /// Time at which conditions that are functions of time are taken [s].
-  virtual void set_time(double time) = 0;
   /// Whether row `component` of node I is a balance (and not a constraint of a side, or padding).
   virtual bool is_balance(int component, const Index& I) const = 0;
 };

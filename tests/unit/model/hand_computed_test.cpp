@@ -327,7 +327,7 @@ TEST(GasFlux, OfAGasWithoutInertiaFollowsTheWholeGradient) {
         middle.upper[a] = setup.box.faces[a][2];
         area *= middle.upper[a] - middle.lower[a];
       }
-      check(problem.problem().plane_flux(x, Phase::gas, axis, setup.box.faces[axis][2], middle, &flux));
+      check(problem.problem().plane_flux(0, x, Phase::gas, axis, setup.box.faces[axis][2], middle, &flux));
       const double expected = (1 - nu) * (v - (1 - nu) / beta * flow.gradient[axis]) * area;
       EXPECT_NEAR(flux, expected, 1e-10 * std::abs(expected)) << dim << "d along "
                                                               << "xyz"[axis];

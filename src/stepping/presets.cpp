@@ -1,0 +1,162 @@
+#include "scree/stepping/presets.hpp"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+std::string component_list(int first, int count) {
+  std::string list;
+  for (int c = first; c < first + count; ++c) list += (c > first ? "," : "") + std::to_string(c);
+  return list;
+}
+
+/// Newton for every preset; the line search is ours unless one is named.
+const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "15"}};
+
+/// Factorisation by MUMPS; GMRES around it lets a factorisation serve several Newton steps. Small cases, reference.
+/// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). AMF
+/// (ICNTL(7) = 2) is a little cheaper in two dimensions and dearer in three.
+const PetscOptionList direct{{"ksp_type", "gmres"},       {"ksp_pc_side", "right"},
+                             {"ksp_rtol", "1e-6"},        {"ksp_max_it", "30"},
+                             {"pc_type", "lu"},           {"pc_factor_mat_solver_type", "mumps"},
+                             {"mat_mumps_icntl_14", "60"}};
+
+/// Preconditioners of a block of unknowns: one ILU(1) a rank ...
+const PetscOptionList ilu_block{{"pc_type", "bjacobi"},
+                                {"sub_ksp_type", "preonly"},
+                                {"sub_pc_type", "ilu"},
+                                {"sub_pc_factor_levels", "1"},
+                                {"sub_pc_factor_shift_type", "nonzero"}};
+
+/// ... or one multigrid cycle: plain aggregation of nodes (all unknowns of a node together), ILU(1) on each rank as
+/// smoother. ILU alone is slow in the smooth pressure modes that span the bed; the coarse levels carry these.
+/// The aggregates depend on the pattern of the matrix alone: kept, they give the same iterations to the last, and a
+/// set-up costs a third. PETSc does not hand the lag of the preconditioner down to the smoothers: the ILU of the finest
+/// level is always that of the latest Jacobian. Held, it takes twice the iterations. A level of up to 5000 unknowns is
+/// factored, on one rank: smaller ones cost more messages than work.
+const PetscOptionList multigrid_block{{"pc_type", "gamg"},
+                                      {"pc_gamg_type", "agg"},
+                                      {"pc_gamg_agg_nsmooths", "0"},
+                                      {"pc_gamg_coarse_eq_limit", "5000"},
+                                      {"pc_gamg_reuse_interpolation", "true"},
+                                      {"mg_levels_ksp_type", "richardson"},
+                                      {"mg_levels_ksp_max_it", "1"},
+                                      {"mg_levels_pc_type", "bjacobi"},
+                                      {"mg_levels_sub_pc_type", "ilu"},
+                                      {"mg_levels_sub_pc_factor_levels", "1"},
+                                      {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+
+/// One ILU(`fill`) a rank. For the steps that accuracy mostly allows with gas ILU(0) suffices: it takes about as many
+/// iterations as ILU(1), and each is cheaper. PresetTrial says where it does not.
+PetscOptionList ilu_block_with(int fill) {
+  PetscOptionList list{{"sub_pc_factor_levels", std::to_string(fill)}};
+  for (const auto& option : ilu_block)
+    if (option.first != "sub_pc_factor_levels") list.push_back(option);
+  return list;
+}
+
+/// GMRES for fixed preconditioners. They stand on the right: left-preconditioned norms converge falsely.
+PetscOptionList gmres(const std::string& tolerance, const std::string& most_iterations) {
+  return {{"ksp_type", "gmres"},
+          {"ksp_pc_side", "right"},
+          {"ksp_gmres_restart", "100"},
+          {"ksp_max_it", most_iterations},
+          {"ksp_rtol", tolerance}};
+}
+
+/// For ILU alone, whose many iterations would be a fifth orthogonalisation and 2 kB a cell with GMRES. Its factor is
+/// made at every Newton iteration: that costs eight iterations and saves more.
+const PetscOptionList bicgstab{{"ksp_type", "bcgs"},
+                               {"ksp_pc_side", "right"},
+                               {"ksp_max_it", "150"},
+                               {"ksp_rtol", "3e-2"},
+                               {"snes_lag_preconditioner", "1"}};
+
+/// The options of `list` for the solver of a block.
+PetscOptionList with_prefix(const std::string& prefix, const PetscOptionList& list) {
+  PetscOptionList result;
+  for (const auto& [name, value] : list) result.emplace_back(prefix + name, value);
+  return result;
+}
+
+/// Pressure waves couple nu to v: their Schur complement on nu is elliptic and goes to BoomerAMG, v with T and chi to
+/// aggregation multigrid with ILU(1), which on long steps takes a quarter of the iterations of ILU(0).
+PetscOptionList solids_fieldsplit(int unknowns) {
+  PetscOptionList list{{"ksp_type", "fgmres"},
+                       {"ksp_gmres_restart", "60"},
+                       {"ksp_max_it", "100"},
+                       {"ksp_rtol", "3e-2"},
+                       {"pc_type", "fieldsplit"},
+                       {"pc_fieldsplit_type", "schur"},
+                       {"pc_fieldsplit_dm_splits", "false"},  // by component, or GAMG gets a grid without vectors
+                       {"pc_fieldsplit_schur_fact_type", "full"},
+                       {"pc_fieldsplit_schur_precondition", "selfp"},
+                       {"pc_fieldsplit_0_fields", component_list(1, unknowns - 1)},
+                       {"pc_fieldsplit_1_fields", component_list(0, 1)},
+                       {"fieldsplit_0_ksp_type", "preonly"},
+                       {"fieldsplit_1_ksp_type", "gmres"},
+                       {"fieldsplit_1_ksp_max_it", "5"},
+                       {"fieldsplit_1_pc_type", "hypre"},
+                       {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+  for (const auto& option : with_prefix("fieldsplit_0_", multigrid_block)) list.push_back(option);
+  return list;
+}
+
+/// The Schur complement on p_g, to which one V-cycle of BoomerAMG is applied. The diagonal of the rows of u
+/// holds the drag, so that stiff drag costs no iterations: what is left is the mobility of the gas. `rest` is the
+/// preconditioner of all other unknowns.
+PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOptionList& rest) {
+  const std::string before = component_list(0, gas_pressure),
+                    after = component_list(gas_pressure + 1, unknowns - gas_pressure - 1);
+  PetscOptionList list{{"pc_type", "fieldsplit"},
+                       {"pc_fieldsplit_type", "schur"},
+                       {"pc_fieldsplit_dm_splits", "false"},
+                       {"pc_fieldsplit_schur_fact_type", "upper"},
+                       {"pc_fieldsplit_schur_precondition", "selfp"},
+                       {"pc_fieldsplit_0_fields", before + (after.empty() ? "" : ",") + after},
+                       {"pc_fieldsplit_1_fields", component_list(gas_pressure, 1)},
+                       {"fieldsplit_0_ksp_type", "preonly"},
+                       {"fieldsplit_1_ksp_type", "preonly"},
+                       {"fieldsplit_1_pc_type", "hypre"},
+                       {"fieldsplit_1_pc_hypre_type", "boomeramg"}};
+  for (const auto& option : with_prefix("fieldsplit_0_", rest)) list.push_back(option);
+  return list;
+}
+
+/// One ILU(2) a rank for all unknowns, p_g among them.
+const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
+
+}  // namespace
+
+PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressure, int fill) {
+  PetscOptionList list = newton;
+  const bool gas = gas_pressure >= 0;
+  const auto append = [&](const PetscOptionList& more) {  // what is there already wins
+    for (const auto& option : more)
+      if (std::none_of(list.begin(), list.end(), [&](const auto& o) { return o.first == option.first; }))
+        list.push_back(option);
+  };
+  switch (preset) {
+    case SolverPreset::direct:
+      append(direct);
+      break;
+    case SolverPreset::ilu:
+      append(gas ? gmres("1e-2", "300") : bicgstab);
+      if (gas) append(gas_ilu);
+      append(ilu_block);
+      break;
+    case SolverPreset::multigrid:
+      append(gas ? gmres("1e-2", "200") : gmres("3e-2", "100"));
+      append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid_block);
+      break;
+    case SolverPreset::fieldsplit:
+      if (gas) append(gmres("1e-2", "200"));
+      append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block_with(fill)) : solids_fieldsplit(unknowns));
+      break;
+  }
+  return list;
+}
+
+}  // namespace scree

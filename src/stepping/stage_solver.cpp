@@ -1,0 +1,301 @@
+#include "scree/stepping/stage_solver.hpp"
+
+#include <cmath>
+
+#include "scree/stepping/line_search.hpp"
+#include "scree/stepping/orderings.hpp"
+#include "scree/stepping/remainder.hpp"
+
+namespace scree {
+
+StageSolver::~StageSolver() {
+  PetscCallAbort(PETSC_COMM_SELF, SNESDestroy(&newton_));
+  PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&line_));
+}
+
+/// The SNES of TS is a shell with a prefix of its own, so that the user's options go to the one that does the work.
+PetscErrorCode StageSolver::create(TS ts, const std::string& prefix) {
+  PetscFunctionBeginUser;
+  SNES shell;
+  ts_ = ts;
+  prefix_ = prefix;
+  PetscCall(TSSetDM(ts, problem_.dm()));
+  PetscCall(TSSetIFunction(ts, nullptr, evaluate, this));
+  PetscCall(TSSetIJacobian(ts, problem_.matrix(), problem_.matrix(), differentiate, this));
+  PetscCall(TSGetSNES(ts, &shell));
+  PetscCall(SNESSetOptionsPrefix(shell, (prefix + "stage_").c_str()));
+  PetscCall(SNESSetType(shell, SNESSHELL));
+  PetscCall(SNESShellSetSolve(shell, solve_stage));
+  PetscCall(SNESShellSetContext(shell, this));
+  if (!line_) PetscCall(DMCreateGlobalVector(problem_.dm(), &line_));
+  PetscCall(create_newton());
+  PetscFunctionReturn(0);
+}
+
+/// It has the equations of the SNES of TS from the DM that both share.
+PetscErrorCode StageSolver::create_newton() {
+  PetscFunctionBeginUser;
+  PetscCall(register_orderings());
+  PetscCall(SNESDestroy(&newton_));
+  PetscCall(SNESCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm())), &newton_));
+  PetscCall(SNESSetOptionsPrefix(newton_, prefix_.c_str()));
+  PetscCall(SNESSetApplicationContext(newton_, this));
+  PetscCall(SNESSetDM(newton_, problem_.dm()));
+  PetscCall(SNESSetJacobian(newton_, problem_.matrix(), problem_.matrix(), nullptr, nullptr));
+  // The absolute tolerance is set_tolerance's. stol 0: a failed line search ends with tiny steps.
+  PetscCall(SNESSetTolerances(newton_, PETSC_DEFAULT, 1e-8, 0, 15, 10000));
+  PetscCall(SNESSetForceIteration(newton_, PETSC_TRUE));
+  PetscCall(SNESSetConvergenceHistory(newton_, nullptr, nullptr, PETSC_DECIDE, PETSC_TRUE));
+  PetscCall(SNESSetFromOptions(newton_));
+  PetscCall(is_given("-snes_test_jacobian", &tests_jacobian_));
+  PetscCall(SNESSetConvergenceTest(newton_, test_convergence, this, nullptr));
+  PetscCall(SNESSetUpdate(newton_, before_iteration));
+  PetscCall(use_guarded_full_steps(newton_));
+  PetscCall(limits_.attach(newton_, &stage_));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::begin_attempt(Vec start, Vec before) {
+  PetscFunctionBeginUser;
+  start_ = start;
+  before_ = before;
+  PetscCall(renew_preconditioner());
+  PetscCall(set_tolerance());
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
+  PetscFunctionBeginUser;
+  void* solver;
+  PetscCall(SNESShellGetContext(shell, &solver));
+  auto& self = *static_cast<StageSolver*>(solver);
+  SNESConvergedReason reason;
+  PetscInt iterations, krylov;
+  Vec right_side, residual;
+  PetscCall(SNESGetRhs(shell, &right_side));
+  PetscCall(SNESGetConvergedReason(self.newton_, &reason));
+  PetscCall(SNESSetUp(self.newton_));
+
+  PetscCall(self.guess(state, reason < 0));
+  PetscCall(SNESSolve(self.newton_, right_side, state));
+  PetscCall(SNESGetConvergedReason(self.newton_, &reason));
+  PetscCall(SNESGetIterationNumber(self.newton_, &iterations));
+  PetscCall(SNESGetLinearSolveIterations(self.newton_, &krylov));
+  void* asked_by;  // TSARKIMEX finds its first slope with a TS of its own, which does not count
+  PetscCall(SNESGetFunction(shell, nullptr, nullptr, &asked_by));
+  if (asked_by == self.ts_) {
+    self.count_.newton += static_cast<int>(iterations);
+    self.count_.krylov += static_cast<int>(krylov);
+  }
+  if (reason > 0) {
+    PetscCall(self.look_at_age());
+    PetscCall(SNESGetFunction(self.newton_, &residual, nullptr, nullptr));
+    PetscCall(correct(self.problem_, self.stage_, residual, state, &self.imbalance_));
+  } else {
+    self.count_.failure = SNESConvergedReasons[reason];
+    self.history_.newton.failed();
+    PetscCall(self.set_tolerance());
+    PetscCall(self.renew_preconditioner());
+  }
+  self.stage_.rate = nullptr;
+  PetscCall(SNESSetIterationNumber(shell, iterations));
+  PetscCall(SNESSetConvergedReason(shell, reason));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::evaluate(TS, PetscReal time, Vec state, Vec rate, Vec residual, void* solver) {
+  PetscFunctionBeginUser;
+  auto& self = *static_cast<StageSolver*>(solver);
+  self.stage_.time = time;
+  self.stage_.rate = rate;
+  PetscCall(self.problem_.residual(time, state, rate, residual));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::differentiate(TS, PetscReal time, Vec state, Vec rate, PetscReal shift, Mat A, Mat P,
+                                          void* solver) {
+  PetscFunctionBeginUser;
+  auto& self = *static_cast<StageSolver*>(solver);
+  if (self.keeps_jacobian_ && A == P && shift == self.stage_.shift) PetscFunctionReturn(0);
+  self.stage_.shift = shift;
+  PetscCall(self.problem_.jacobian(time, state, rate, shift, P));
+  if (A != P) {  // a matrix-free operator needs to know that the state has changed
+    PetscCall(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+  }
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::guess(Vec state, bool after_failure) {
+  PetscFunctionBeginUser;
+  double dt;
+  long limited = 0;
+  PetscCall(TSGetTimeStep(ts_, &dt));
+  // Schemes of order 2 bring a guess of their own.
+  if (scheme_.order() == 1 && control_.extrapolate && scheme_.can_extrapolate(history_.dt_past) && !after_failure &&
+      history_.guess.considers_line())
+    PetscCall(put_on_line(dt, state));
+  PetscCall(limits_.apply(start_, state, true, &limited));
+  PetscCall(raise_temperature(problem_, dt, state));
+  PetscFunctionReturn(0);
+}
+
+/// Puts the line through the last two states in the place of `state`, the last of them, where FirstGuessPolicy wants
+/// it.
+PetscErrorCode StageSolver::put_on_line(double dt, Vec state) {
+  PetscFunctionBeginUser;
+  long limited = 0;
+  const StateWeights weights = scheme_.extrapolation(dt, history_.dt_past);
+  PetscCall(VecAXPBYPCZ(line_, weights[0], weights[1], 0, start_, before_));
+  PetscCall(limits_.apply(start_, line_, true, &limited));
+  if (history_.guess.asks_residuals()) {
+    double of_state, of_line;
+    PetscCall(residual_norm(state, &of_state));
+    PetscCall(residual_norm(line_, &of_line));
+    history_.guess.compare(of_state, of_line);
+  }
+  if (history_.guess.choice == FirstGuess::line) PetscCall(VecCopy(line_, state));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::residual_norm(Vec state, double* norm) {
+  PetscFunctionBeginUser;
+  Vec residual;
+  PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
+  PetscCall(SNESComputeFunction(newton_, state, residual));
+  PetscCall(VecNorm(residual, NORM_2, norm));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::test_convergence(SNES snes, PetscInt iteration, PetscReal x_norm, PetscReal step_norm,
+                                             PetscReal f_norm, SNESConvergedReason* reason, void* solver) {
+  PetscFunctionBeginUser;
+  const auto& self = *static_cast<const StageSolver*>(solver);
+  PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
+  if (*reason == SNES_CONVERGED_ITERATING && is_lost(self.norms())) *reason = SNES_DIVERGED_DTOL;
+  if (*reason > 0 && iteration > 0) {
+    bool small;
+    PetscCall(self.remainder_is_small(&small));
+    if (!small) *reason = SNES_CONVERGED_ITERATING;
+  }
+  PetscFunctionReturn(0);
+}
+
+/// Decides what the iteration takes over from the one before: the Jacobian, the preconditioner.
+PetscErrorCode StageSolver::before_iteration(SNES snes, PetscInt iteration) {
+  PetscFunctionBeginUser;
+  void* solver;
+  double tolerance;
+  PetscCall(SNESGetApplicationContext(snes, &solver));
+  auto& self = *static_cast<StageSolver*>(solver);
+  PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
+  self.keeps_jacobian_ = !self.tests_jacobian_ && keeps_jacobian(self.norms(), tolerance);
+  if (iteration > 0) PetscCall(self.look_at_age());
+  PetscFunctionReturn(0);
+}
+
+ResidualNorms StageSolver::norms() const {
+  double* first;
+  PetscInt count;
+  PetscCallAbort(PETSC_COMM_SELF, SNESGetConvergenceHistory(newton_, &first, nullptr, &count));
+  return ResidualNorms(first, first + count);
+}
+
+/// Whether what is left is small beyond the mean: where particles are few, single cells far off make energy, and keep a
+/// T from which there is no way back. And whether renewing nu would change it by no more than Newton's tolerance, which
+/// in long steps takes more than a small residual, and leave it where it can be: nu below minus the floor of voids is a
+/// negative inertia.
+PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
+  PetscFunctionBeginUser;
+  Vec state, residual;
+  const double share_of_floor = scheme_.keeps_signs() ? 1e-8 : 0.5;
+  Remainder left;
+  PetscCall(SNESGetSolution(newton_, &state));
+  PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
+  PetscCall(measure_remainder(problem_, stage_.shift, state, residual, &left));
+  *small = left.dilute <= NewtonTolerance::dilute(control_.accuracy) && left.nu_change <= tolerated_residual() &&
+           left.least_nu >= -share_of_floor * problem_.setup().model.void_fraction_floor;
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::look_at_age() {
+  PetscFunctionBeginUser;
+  KSP ksp;
+  PetscInt krylov;
+  PetscCall(SNESGetKSP(newton_, &ksp));
+  PetscCall(KSPGetIterationNumber(ksp, &krylov));
+  if (age_.has_aged(static_cast<int>(krylov))) PetscCall(renew_preconditioner());
+  PetscFunctionReturn(0);
+}
+
+/// Has the preconditioner made with the next Jacobian, and kept from then on. One that is the whole solver is made each
+/// time: an old one would make Newton's method linear.
+PetscErrorCode StageSolver::renew_preconditioner() {
+  PetscFunctionBeginUser;
+  KSP ksp;
+  PetscBool given, alone;
+  PetscCall(is_given("-snes_lag_preconditioner", &given));
+  if (given) PetscFunctionReturn(0);
+  PetscCall(SNESGetKSP(newton_, &ksp));
+  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp), KSPPREONLY, &alone));
+  PetscCall(SNESSetLagPreconditioner(newton_, alone ? 1 : -2));  // -2: once, then not again
+  age_.renewed();
+  PetscFunctionReturn(0);
+}
+
+/// KSPReset alone drops the splits of a fieldsplit, which come from options.
+PetscErrorCode StageSolver::forget_preconditioner() {
+  PetscFunctionBeginUser;
+  KSP ksp;
+  PC pc;
+  PetscCall(SNESGetKSP(newton_, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCNONE));
+  PetscCall(KSPReset(ksp));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::make_preconditioner_anew() {
+  PetscFunctionBeginUser;
+  KSP ksp;
+  PC pc;
+  PetscInt lag;
+  PetscBool lag_given;
+  PetscCall(SNESGetKSP(newton_, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PetscOptionsGetInt(nullptr, prefix_.c_str(), "-snes_lag_preconditioner", &lag, &lag_given));
+  if (lag_given) PetscCall(SNESSetLagPreconditioner(newton_, lag));
+  PetscCall(PCSetType(pc, PCNONE));  // a type that is set again keeps the solvers inside as they are
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscCall(renew_preconditioner());
+  PetscFunctionReturn(0);
+}
+
+/// Schemes of order 2 take nu below zero: in voids a loose solution takes it below what the floor of the inertia there
+/// bears.
+double StageSolver::tolerated_residual() const {
+  const NewtonTolerance newton = scheme_.keeps_signs() ? history_.newton : NewtonTolerance();
+  return newton.residual(control_.accuracy);
+}
+
+/// PETSc's norm is a sum over unknowns.
+PetscErrorCode StageSolver::set_tolerance() {
+  PetscFunctionBeginUser;
+  PetscInt size;
+  PetscBool given;
+  PetscCall(is_given("-snes_atol", &given));
+  if (given) PetscFunctionReturn(0);
+  PetscCall(VecGetSize(line_, &size));
+  const double tolerance = tolerated_residual() * std::sqrt(static_cast<double>(size));
+  PetscCall(SNESSetTolerances(newton_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::is_given(const char* option, PetscBool* given) const {
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsHasName(nullptr, prefix_.c_str(), option, given));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree
