@@ -79,8 +79,6 @@ Number viscous_dissipation(const Number& nu, const Number& T, const Number& sqrt
 /// What gas adds to kinetic_factors at a point.
 template <class Number>
 struct GasEffect {
-  Number g0{0.0};            ///< radial_distribution [-]
-  Number streaming{0.0};     ///< streaming_shear_factor [-]
   Number drag_over_nu{0.0};  ///< beta/nu [kg/(m3 s)]
   Number drag{0.0};          ///< beta [kg/(m3 s)]
   Number agitation{0.0};     ///< slip_agitation [kg/s4]
@@ -89,31 +87,29 @@ struct GasEffect {
 /// In the place of a GasEffect where there is no gas.
 struct NoGas {};
 
-/// The effect of a gas with drag (6), slip_squared = |v - u|^2.
+/// Factors with g0 and streaming_shear_factor.
 template <class Number>
-GasEffect<Number> gas_effect(const Number& nu, const Number& slip_squared, const KineticParameters& p,
-                             const GasParameters& gas) {
-  const auto [g0, streaming] = through(
-      [&](const auto& x) {
-        const auto g0_of_nu = radial_distribution(x, p);
-        return std::array<std::decay_t<decltype(g0_of_nu)>, 2>{g0_of_nu, streaming_shear_factor(x, g0_of_nu, p)};
-      },
-      nu);
+using GasFactors = std::array<Number, factors_with_gas>;
+
+/// The effect of a gas, slip_squared = |v - u|^2, `factors` from kinetic_factors.
+template <class Number>
+GasEffect<Number> gas_effect(const Number& nu, const GasFactors<Number>& factors, const Number& slip_squared,
+                             const KineticParameters& p, const GasParameters& gas) {
   const Number per_nu = drag_over_nu(nu, slip_squared, p.d, gas);
-  return {g0, streaming, per_nu, nu * per_nu, slip_agitation(nu, g0, slip_squared, gas.mu_g, p)};
+  return {per_nu, nu * per_nu, slip_agitation(nu, factors[factor_g0], slip_squared, gas.mu_g, p)};
 }
 
 /// mu_s with gas = factor rho_s d sqrt(T), `factors` from kinetic_factors.
 template <class Number>
-Number damped_shear_factor(const Number& nu, const std::array<Number, 4>& factors, const GasEffect<Number>& gas,
+Number damped_shear_factor(const Number& nu, const GasFactors<Number>& factors, const GasEffect<Number>& gas,
                            const Number& sqrt_T, const KineticParameters& p) {
-  const Number damping = gas_damping(nu, gas.g0, sqrt_T, gas.drag_over_nu, shear_damping_coefficient(p), p);
-  return damped_shear_factor(gas.streaming, factors[factor_bulk], damping, p);
+  const Number damping = gas_damping(nu, factors[factor_g0], sqrt_T, gas.drag_over_nu, shear_damping_coefficient(p), p);
+  return damped_shear_factor(factors[factor_streaming], factors[factor_bulk], damping, p);
 }
 
 /// The same without gas.
-template <class Number>
-Number damped_shear_factor(const Number&, const std::array<Number, 4>& factors, NoGas, const Number&,
+template <class Number, std::size_t count>
+Number damped_shear_factor(const Number&, const std::array<Number, count>& factors, NoGas, const Number&,
                            const KineticParameters&) {
   return factors[factor_shear];
 }
@@ -166,16 +162,16 @@ inline double below_equilibrium(const GasEquilibrium<double>& q, const KineticPa
 /// one without gas, with the same floors: T = floor at rest without slip. Newton's method from below, which does not
 /// overshoot, in plain doubles; the derivatives are those of one more step. `factors` from kinetic_factors.
 template <class Number>
-Number algebraic_sqrt_temperature(const Number& nu, const std::array<Number, 4>& factors, const GasEffect<Number>& gas,
+Number algebraic_sqrt_temperature(const Number& nu, const GasFactors<Number>& factors, const GasEffect<Number>& gas,
                                   const Number& div_v, const Number& S_S, const KineticParameters& p, double floor) {
   const Number fJ = local_dissipation_factor(factors[factor_dissipation], p);
   const Number drag = 3 / p.rho_s * gas.drag;
   const Number bulk_production = damped_shear_factor(Number(0.0), factors[factor_bulk], Number(0.0), p);
   const GasEquilibrium<Number> equilibrium{
       nu,
-      gas.g0,
+      factors[factor_g0],
       gas.drag_over_nu,
-      (2 * p.d) * (gas.streaming * S_S),
+      (2 * p.d) * (factors[factor_streaming] * S_S),
       p.d * (2.0 * bulk_production * S_S + factors[factor_bulk] * (div_v * div_v)) + fJ * (floor / p.d),
       drag * floor,
       gas.agitation / p.rho_s,
@@ -195,8 +191,8 @@ Number algebraic_sqrt_temperature(const Number& nu, const std::array<Number, 4>&
 }
 
 /// The same without gas.
-template <class Number>
-Number algebraic_sqrt_temperature(const Number&, const std::array<Number, 4>& factors, NoGas, const Number& div_v,
+template <class Number, std::size_t count>
+Number algebraic_sqrt_temperature(const Number&, const std::array<Number, count>& factors, NoGas, const Number& div_v,
                                   const Number& S_S, const KineticParameters& p, double floor) {
   return algebraic_sqrt_temperature(factors, div_v, S_S, p, floor);
 }

@@ -133,18 +133,35 @@ Number dissipation(const Number& nu, const Number& T, const Number& sqrt_T, cons
   return dissipation_by(dissipation_factor(nu, radial_distribution(nu, p), p), nu, T, sqrt_T, p);
 }
 
-/// The factors above at once.
-enum KineticFactor { factor_pressure, factor_bulk, factor_shear, factor_dissipation };
+/// The factors above at once; the last two, g0 itself and streaming_shear_factor, are for the effect of a gas.
+enum KineticFactor : std::size_t {
+  factor_pressure,
+  factor_bulk,
+  factor_shear,
+  factor_dissipation,
+  factors_without_gas,
+  factor_g0 = factors_without_gas,
+  factor_streaming,
+  factors_with_gas
+};
 
-/// {pressure, bulk, shear, dissipation} factors, indexed by KineticFactor; one evaluation of g0, differentiated with
-/// respect to nu alone.
-template <class Number>
-std::array<Number, 4> kinetic_factors(const Number& nu, const KineticParameters& p) {
+/// The first `count` factors, indexed by KineticFactor; one evaluation of g0, differentiated with respect to nu alone.
+template <std::size_t count = factors_without_gas, class Number>
+std::array<Number, count> kinetic_factors(const Number& nu, const KineticParameters& p) {
   return through(
       [&](const auto& x) {
-        const auto g0 = radial_distribution(x, p);
-        return std::array<std::decay_t<decltype(g0)>, 4>{pressure_factor(x, g0, p), bulk_factor(x, g0, p),
-                                                         shear_factor(x, g0, p), dissipation_factor(x, g0, p)};
+        using Inner = std::decay_t<decltype(x)>;
+        const Inner g0 = radial_distribution(x, p);
+        std::array<Inner, count> f;
+        f[factor_pressure] = pressure_factor(x, g0, p);
+        f[factor_bulk] = bulk_factor(x, g0, p);
+        f[factor_shear] = shear_factor(x, g0, p);
+        f[factor_dissipation] = dissipation_factor(x, g0, p);
+        if constexpr (count == factors_with_gas) {
+          f[factor_g0] = g0;
+          f[factor_streaming] = streaming_shear_factor(x, g0, p);
+        }
+        return f;
       },
       nu);
 }
@@ -164,8 +181,8 @@ Number local_dissipation_factor(const Number& fJ, const KineticParameters& p) {
 ///     fJ sigma^2 + fp div_v sigma - (2 fmu S_S + fb div_v^2 + fJ floor/d^2) = 0,  fJ from local_dissipation_factor,
 /// where `floor` [m2/s2] makes T = floor at rest, which keeps the derivatives finite there (T >= floor in shear at
 /// constant volume; dilation may take it below).
-template <class Number>
-Number algebraic_sqrt_temperature(const std::array<Number, 4>& factors, const Number& div_v, const Number& S_S,
+template <class Number, std::size_t count>
+Number algebraic_sqrt_temperature(const std::array<Number, count>& factors, const Number& div_v, const Number& S_S,
                                   const KineticParameters& p, double floor) {
   const Number fJ = local_dissipation_factor(factors[factor_dissipation], p);
   const Number b = factors[factor_pressure] * div_v;

@@ -15,15 +15,14 @@ FrictionalPoint<Number> frictional_point(const Number& nu, const Number& T, cons
 
 // Arguments one by one: a SolidsPoint by reference would be built in memory, a quarter of the time without gas.
 
-/// cell_closure, `gas` a GasEffect or NoGas.
-template <class R, class Number, class Gas>
-CellClosures<Number> cell_closure_with(const Gas& gas, const Number& nu, const Number& T, const Number& chi,
-                                       const Number& div_v, const Number& S_S, const Number& slip_squared,
-                                       const SolidsParameters& p) {
+/// cell_closure, `f` from kinetic_factors, `gas` a GasEffect or NoGas.
+template <class R, class Number, std::size_t count, class Gas>
+CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu,
+                                       const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
+                                       const Number& slip_squared, const SolidsParameters& p) {
   constexpr bool has_gas = !std::is_same_v<Gas, NoGas>;
   const SolidsPoint<Number> q{nu, T, chi, div_v, S_S, slip_squared};
   const KineticParameters& k = p.kinetic;
-  const auto f = kinetic_factors(nu, k);
   const auto [theta, sqrt_T] = temperature(q, f, gas, p);
 
   // (1.1), (1.4) and (1.8)
@@ -61,13 +60,13 @@ CellClosures<Number> cell_closure_with(const Gas& gas, const Number& nu, const N
   return result;
 }
 
-/// edge_closure, `gas` a GasEffect or NoGas.
-template <class R, class Number, class Gas>
-Number edge_closure_with(const Gas& gas, const Number& nu, const Number& T, const Number& chi, const Number& div_v,
-                         const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
+/// edge_closure, `f` from kinetic_factors, `gas` a GasEffect or NoGas.
+template <class R, class Number, std::size_t count, class Gas>
+Number edge_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu, const Number& T,
+                         const Number& chi, const Number& div_v, const Number& S_S, const Number& slip_squared,
+                         const SolidsParameters& p) {
   const SolidsPoint<Number> q{nu, T, chi, div_v, S_S, slip_squared};
   const KineticParameters& k = p.kinetic;
-  const auto f = kinetic_factors(nu, k);
   const auto [theta, sqrt_T] = temperature(q, f, gas, p);
   const Number mu_k = (k.rho_s * k.d) * damped_shear_factor(nu, f, gas, sqrt_T, k) * sqrt_T;
   if constexpr (R::has_friction)
@@ -80,16 +79,22 @@ Number edge_closure_with(const Gas& gas, const Number& nu, const Number& T, cons
 template <class R, class Number>
 CellClosures<Number> cell_closure_by(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
                                      const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
-  if (p.gas.model == GasModel::none) return cell_closure_with<R>(NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
-  return cell_closure_with<R>(gas_effect(nu, slip_squared, p.kinetic, p.gas), nu, T, chi, div_v, S_S, slip_squared, p);
+  if (p.gas.model == GasModel::none)
+    return cell_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
+  const auto f = kinetic_factors<factors_with_gas>(nu, p.kinetic);
+  const auto gas = gas_effect(nu, f, slip_squared, p.kinetic, p.gas);
+  return cell_closure_with<R>(f, gas, nu, T, chi, div_v, S_S, slip_squared, p);
 }
 
 /// edge_closure of a rheology.
 template <class R, class Number>
 Number edge_closure_by(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
                        const Number& slip_squared, const SolidsParameters& p) {
-  if (p.gas.model == GasModel::none) return edge_closure_with<R>(NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
-  return edge_closure_with<R>(gas_effect(nu, slip_squared, p.kinetic, p.gas), nu, T, chi, div_v, S_S, slip_squared, p);
+  if (p.gas.model == GasModel::none)
+    return edge_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
+  const auto f = kinetic_factors<factors_with_gas>(nu, p.kinetic);
+  const auto gas = gas_effect(nu, f, slip_squared, p.kinetic, p.gas);
+  return edge_closure_with<R>(f, gas, nu, T, chi, div_v, S_S, slip_squared, p);
 }
 
 /// The entry of a rheology.

@@ -75,9 +75,9 @@ Number local_equilibrium_share(const Number& nu) {
 }
 
 /// {T, regularised sqrt(T)} by the temperature model, `factors` from kinetic_factors, `gas` a GasEffect or NoGas.
-template <class Number, class Gas>
-std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array<Number, 4>& factors, const Gas& gas,
-                                  const SolidsParameters& p) {
+template <class Number, std::size_t count, class Gas>
+std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array<Number, count>& factors,
+                                  const Gas& gas, const SolidsParameters& p) {
   if (p.temperature == TemperatureModel::transport) return {q.T, sqrt_temperature(q.T, p.temperature_floor)};
   if (p.temperature == TemperatureModel::constant)
     return {Number(p.temperature_value), Number(sqrt_temperature(p.temperature_value, p.temperature_floor))};
@@ -89,9 +89,9 @@ std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const std::array
 /// {T, regularised sqrt(T)} by the temperature model [m2/s2, m/s].
 template <class Number>
 std::array<Number, 2> temperature(const SolidsPoint<Number>& q, const SolidsParameters& p) {
-  const auto factors = kinetic_factors(q.nu, p.kinetic);
+  const auto factors = kinetic_factors<factors_with_gas>(q.nu, p.kinetic);
   if (p.gas.model == GasModel::none) return temperature(q, factors, NoGas{}, p);
-  return temperature(q, factors, gas_effect(q.nu, q.slip_squared, p.kinetic, p.gas), p);
+  return temperature(q, factors, gas_effect(q.nu, factors, q.slip_squared, p.kinetic, p.gas), p);
 }
 
 /// {p, mu} of sigma_s = p I - 2 mu S, eq. (8) [Pa, Pa s].
