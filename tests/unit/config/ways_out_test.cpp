@@ -121,6 +121,7 @@ TEST_F(WaysOut, ParticlesIntoAClosedPartNeedRoom) {
   set("boundary_lid_side", "x_upper");
   set("boundary_lid_kind", "open");
   set("boundary_lid_from", "0.3");
+  set("boundary_lid_order", "1");
   EXPECT_NO_THROW(read_case());
 }
 

@@ -102,7 +102,7 @@ TEST(YamlText, LongPathsKeepTheirLine) {
   } catch (const InputError& error) {
     const std::string line = error.what();
     EXPECT_LT(line.size(), 1000u);
-    EXPECT_NE(line.find("d:1:5: expected"), std::string::npos) << line;
+    EXPECT_NE(line.find("d:1:1: expected"), std::string::npos) << line;
   }
 }
 
