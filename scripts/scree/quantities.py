@@ -2,8 +2,8 @@
 import json
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
+from contourpy import contour_generator
 
 from scree import bin_discharge, bubble_rise, output
 
@@ -54,9 +54,7 @@ def bubble_quantities(directory, window):
 
 def closed_contours(x, y, nu):
     """The closed lines on which nu has the level of the bubble: arrays of points [cm]."""
-    figure, axes = plt.subplots()
-    segments = axes.contour(x, y, nu, [bubble_rise.LEVEL]).allsegs[0]
-    plt.close(figure)
+    segments = contour_generator(x, y, nu).lines(bubble_rise.LEVEL)
     return [segment for segment in segments if len(segment) > 3 and np.allclose(segment[0], segment[-1])]
 
 

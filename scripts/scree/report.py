@@ -16,7 +16,7 @@ import numpy as np
 
 from scree import report_figures as figures
 from scree.output import mean_over
-from scree.plots import unit_text
+from scree.plots import draw_to_files, unit_text
 from scree.program import clock
 from scree.results import Run
 
@@ -350,6 +350,7 @@ def main():
     parser.add_argument("directory", metavar="OUT_DIR", help="output directory of a run")
     parser.add_argument("-o", "--output", type=Path, help="default: OUT_DIR/report.html")
     given = parser.parse_args()
+    draw_to_files()
     try:
         print(f"Report: {write(given.directory, given.output)}")
     except (OSError, ValueError, KeyError, json.JSONDecodeError) as error:
