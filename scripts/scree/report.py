@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from scree import report_figures as figures
-from scree.output import mean_over
+from scree.output import mean_over, phase_seconds
 from scree.plots import draw_to_files, unit_text
 from scree.program import clock
 from scree.results import Run
@@ -230,17 +230,17 @@ def solver(run):
         memory = summary.get("peak_memory_per_rank_bytes")
         rows += [("memory of a rank at most [MB]", memory / 1e6)] if memory else []
         rows += [("version of " + name, text) for name, text in summary.get("versions", {}).items()]
-        parts += [table(rows), "<h3>Where the processor time went</h3>", phases(summary["cpu_seconds"])]
+        parts += [table(rows), "<h3>Where the processor time went</h3>", phases(summary)]
     parts += ["<h3>Rejected steps</h3>", rejected(run.monitor), curves(run, SOLVER_CURVES)]
     return "\n".join(parts)
 
 
-def phases(seconds):
+def phases(summary):
     """A bar for each phase of the processor time."""
-    total = seconds["total"]
-    parts = {PHASES.get(name, words_of(name)): value for name, value in seconds.items() if name != "total"}
-    parts["everything else"] = max(0.0, total - sum(max(0.0, value) for value in parts.values()))
-    bar = lambda value: Raw(f"<span class=bar style='width:{max(0.0, 18 * value / total) if total else 0:.2f}rem'></span>")
+    total = summary["cpu_seconds"]["total"]
+    parts = {PHASES.get(name, words_of(name)): value for name, value in phase_seconds(summary).items()}
+    parts["everything else"] = max(0.0, total - sum(parts.values()))
+    bar = lambda value: Raw(f"<span class=bar style='width:{18 * value / total if total else 0:.2f}rem'></span>")
     return table([(name, float(value), f"{100 * value / total:.0f} %" if total else "–", bar(value))
                   for name, value in parts.items()], ("phase", "CPU seconds", "part", ""))
 
