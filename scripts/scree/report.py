@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from scree import report_figures as figures
-from scree.output import mean_over, phase_seconds
+from scree.output import mean_over, phase_seconds, unit_of
 from scree.plots import draw_to_files, unit_text
 from scree.program import clock
 from scree.results import Run
@@ -199,6 +199,19 @@ def curves(run, groups):
     return "<div class=curves>" + "\n".join(parts) + "</div>" if parts else "<p>There are fewer than two steps.</p>"
 
 
+def lines(run):
+    """The fields along the sampled lines of the case."""
+    if not run.lines:
+        return "<p>The case samples no lines. <code>line: {axis: {from: ..., to: ...}}</code> in a case samples one.</p>"
+    parts = []
+    for line, rows in run.lines.items():
+        for column in [name for name in rows if name not in ("time", "x", "y", "z")]:
+            unit = unit_of(column, run.units)
+            picture = figures.line_profiles(rows, column, unit, f"line_{line}_{column}")
+            parts.append(f"<figure><h3>{escape(words_of(line))}: {words_of(column)}</h3>{picture}</figure>")
+    return "<div class=curves>" + "\n".join(parts) + "</div>"
+
+
 def quantities(run):
     """The quantities of the monitor: at the end, their range, their mean over the last half."""
     monitor = run.monitor
@@ -294,6 +307,7 @@ SECTIONS = {
     "What happened": what_happened,
     "The fields in time": fields_in_time,
     "Curves in time": lambda run: curves(run, CURVES),
+    "Along the lines of the case": lines,
     "Quantities": quantities,
     "How the solver worked": solver,
     "Remarks and warnings": remarks,

@@ -84,6 +84,9 @@ class Content(unittest.TestCase):
         self.assertIn("solver multigrid from here on", remarks)
         self.assertNotIn("step 4", remarks)
 
+    def test_sampled_lines_are_drawn(self):
+        self.says(self.text, "<h3>axis of bin: solids fraction</h3><svg")
+
     def test_the_case_is_in_it(self):
         self.says(self.text, "plate_floor_openings: &quot;0, 0.02&quot;")
 
