@@ -59,7 +59,7 @@ def main():
         for name, grid in runs_needed(given.grid):
             given.runs.get(name, grid)
     values = paper_quantities.Values(given.runs, given.out)
-    plt.rcParams.update(plots.STYLE)
+    plots.draw_to_files()
     figure = draw(values)
     values.keep()
     paper_figures.save(figure, given.out, NAME, *table(values))

@@ -118,7 +118,7 @@ def produce(name, text, draw, needs=(), grid="paper"):
         if given.skip_done and up_to_date(given.out, name, script, records):
             print(f"  {given.out / name}.png is there")
             return
-        plt.rcParams.update(plots.STYLE)
+        plots.draw_to_files()
         figure, header, rows = draw(given, directories)
         save(figure, given.out, name, header, rows)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from scipy import ndimage
 
 from scree import output, plots
 
@@ -33,43 +34,19 @@ def finer(x, y, nu):
     return fine_x, fine_y, (1 - share) * rows[above - 1] + share * rows[above]
 
 
-def grown(region, mask):
-    """The part of mask that is connected with region."""
-    while True:
-        larger = region.copy()
-        larger[1:] |= region[:-1]
-        larger[:-1] |= region[1:]
-        larger[:, 1:] |= region[:, :-1]
-        larger[:, :-1] |= region[:, 1:]
-        larger &= mask
-        if np.array_equal(larger, region):
-            return region
-        region = larger
-
-
-def without_freeboard(empty):
-    top = np.zeros_like(empty)
-    top[-1] = empty[-1]
-    # The freeboard begins as whole rows; growing from the last of them saves passes.
-    whole = np.flatnonzero(~empty.all(axis=1))
-    if len(whole) and empty[-1].all():
-        top[whole[-1] + 1 :] = True
-    return empty & ~grown(top, empty)
+def regions(mask):
+    """The connected parts of a mask, as masks."""
+    labels, count = ndimage.label(mask)
+    return [labels == number for number in range(1, count + 1)]
 
 
 def bubble(fields):
     """bottom, top, width [cm], area [cm2] of the bubble; zeros if there is none."""
     x, y, nu = finer(*full_width(fields))
-    rest, best = without_freeboard(nu < LEVEL), None
-    while rest.any():
-        seed = np.zeros_like(rest)
-        seed[np.unravel_index(np.argmax(rest), rest.shape)] = True
-        region = grown(seed, rest)
-        rest &= ~region
-        if best is None or region.sum() > best.sum():
-            best = region
-    if best is None:
+    inside = [region for region in regions(nu < LEVEL) if not region[-1].any()]  # the freeboard reaches the top
+    if not inside:
         return dict(bottom=0.0, top=0.0, width=0.0, area=0.0)
+    best = max(inside, key=np.sum)
     rows, columns = np.flatnonzero(best.any(axis=1)), np.flatnonzero(best.any(axis=0))
     dx, dy = x[1] - x[0], y[1] - y[0]
     return dict(

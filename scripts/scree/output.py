@@ -110,6 +110,18 @@ def summary(directory):
     return json.loads((Path(directory) / "summary.json").read_text())
 
 
+def phase_seconds(summary):
+    """CPU seconds of the phases of a run, of all ranks: phase -> seconds.
+
+    The program clocks its phases by the wall; they are scaled by the part of it in which the processors were ours, so
+    that they add up on a busy machine too. Set-up outside of a solve is taken off Krylov by the program, which then may
+    be negative: it counts as none here."""
+    seconds = summary["cpu_seconds"]
+    wall = summary["wall_seconds"] * summary["ranks"]
+    ours = min(1.0, seconds["total"] / wall) if wall > 0 else 1.0
+    return {name: ours * max(0.0, value) for name, value in seconds.items() if name != "total"}
+
+
 def case(directory, name="case.yaml"):
     """The effective case as option -> text, nested keys joined with `_` and lists with `, `."""
     path = Path(directory) / name

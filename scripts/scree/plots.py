@@ -1,12 +1,7 @@
 """Plots of runs: the look that all have, maps of fields, the monitor; what the commands that draw share."""
 import argparse
-import os
 import re
 
-import matplotlib
-
-if not os.environ.get("DISPLAY") and "MPLBACKEND" not in os.environ:
-    matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -28,8 +23,14 @@ SAND = "YlOrBr"  # colours of solids fractions
 ARROWS = 24  # along the longer side of a map
 
 
+def draw_to_files(**style):
+    """For commands: no windows, and the look that all have with changes of its style."""
+    plt.switch_backend("Agg")
+    plt.rcParams.update({**STYLE, **style})
+
+
 def arguments(text, *more):
-    """Parses OUT_DIR ... and the options `more`, pairs (name, keywords of add_argument); sets the style of the plots."""
+    """Parses OUT_DIR ... and the options `more`, pairs (name, keywords of add_argument); what is drawn then goes to files."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("directories", nargs="+", metavar="OUT_DIR", help="output directory of a run")
     for name, keywords in more:
@@ -38,7 +39,7 @@ def arguments(text, *more):
     for directory in found.directories:
         if not output.field_files(directory):
             parser.error(f"{directory} holds no fields of a run")
-    plt.rcParams.update(STYLE)
+    draw_to_files()
     return found
 
 

@@ -2,8 +2,8 @@
 import json
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
+from contourpy import contour_generator
 
 from scree import bin_discharge, bubble_rise, output
 
@@ -54,9 +54,7 @@ def bubble_quantities(directory, window):
 
 def closed_contours(x, y, nu):
     """The closed lines on which nu has the level of the bubble: arrays of points [cm]."""
-    figure, axes = plt.subplots()
-    segments = axes.contour(x, y, nu, [bubble_rise.LEVEL]).allsegs[0]
-    plt.close(figure)
+    segments = contour_generator(x, y, nu).lines(bubble_rise.LEVEL)
     return [segment for segment in segments if len(segment) > 3 and np.allclose(segment[0], segment[-1])]
 
 
@@ -74,22 +72,18 @@ def quantities(read, directory, window):
 
 
 def cost(directory, window):
-    """Cost of a run, names as in work_precision.COST_NAMES.
-
-    The program clocks its phases by the wall; they are scaled by the part of it in which the processors were ours, so that
-    they add up on a busy machine too. Set-up outside of a solve is taken off Krylov by the program, which then may be
-    negative: it counts as none here."""
+    """Cost of a run, names as in work_precision.COST_NAMES."""
     summary = output.summary(directory)
-    cpu, wall = summary["cpu_seconds"], summary["wall_seconds"]
-    ours = min(1.0, cpu["total"] / (wall * summary["ranks"]))
+    phases = output.phase_seconds(summary)
     monitor = output.monitor(directory)
     time, spent = output.time_of(monitor), monitor["cpu_seconds"]
     at = lambda t: np.interp(t, time, spent)
     begin, end = min(window[0], time[-1]), min(window[1], time[-1])
     return {
         "steps": summary["steps"], "newton": summary["newton_iterations"], "krylov": summary["krylov_iterations"],
-        "cpu_s": cpu["total"], "cpu_residual_s": ours * cpu["residual"], "cpu_jacobian_s": ours * cpu["jacobian"],
-        "cpu_setup_s": ours * cpu["preconditioner_setup"], "cpu_krylov_s": ours * max(0.0, cpu["krylov"]), "wall_s": wall,
+        "cpu_s": summary["cpu_seconds"]["total"], "wall_s": summary["wall_seconds"],
+        "cpu_residual_s": phases["residual"], "cpu_jacobian_s": phases["jacobian"],
+        "cpu_setup_s": phases["preconditioner_setup"], "cpu_krylov_s": phases["krylov"],
         "memory_per_rank_MB": summary["peak_memory_per_rank_bytes"] / 1e6,
         "cpu_s_first_0.1_s": at(FIRST) - spent[0] if time[-1] >= FIRST else np.nan,
         "cpu_s_per_s_late": (at(end) - at(begin)) / (end - begin) if end > begin else np.nan,

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from scree import report_figures as figures
-from scree.output import mean_over
-from scree.plots import unit_text
+from scree.output import mean_over, phase_seconds, unit_of
+from scree.plots import draw_to_files, unit_text
 from scree.program import clock
 from scree.results import Run
 
@@ -199,6 +199,19 @@ def curves(run, groups):
     return "<div class=curves>" + "\n".join(parts) + "</div>" if parts else "<p>There are fewer than two steps.</p>"
 
 
+def lines(run):
+    """The fields along the sampled lines of the case."""
+    if not run.lines:
+        return "<p>The case samples no lines. <code>line: {axis: {from: ..., to: ...}}</code> in a case samples one.</p>"
+    parts = []
+    for line, rows in run.lines.items():
+        for column in [name for name in rows if name not in ("time", "x", "y", "z")]:
+            unit = unit_of(column, run.units)
+            picture = figures.line_profiles(rows, column, unit, f"line_{line}_{column}")
+            parts.append(f"<figure><h3>{escape(words_of(line))}: {words_of(column)}</h3>{picture}</figure>")
+    return "<div class=curves>" + "\n".join(parts) + "</div>"
+
+
 def quantities(run):
     """The quantities of the monitor: at the end, their range, their mean over the last half."""
     monitor = run.monitor
@@ -230,17 +243,17 @@ def solver(run):
         memory = summary.get("peak_memory_per_rank_bytes")
         rows += [("memory of a rank at most [MB]", memory / 1e6)] if memory else []
         rows += [("version of " + name, text) for name, text in summary.get("versions", {}).items()]
-        parts += [table(rows), "<h3>Where the processor time went</h3>", phases(summary["cpu_seconds"])]
+        parts += [table(rows), "<h3>Where the processor time went</h3>", phases(summary)]
     parts += ["<h3>Rejected steps</h3>", rejected(run.monitor), curves(run, SOLVER_CURVES)]
     return "\n".join(parts)
 
 
-def phases(seconds):
+def phases(summary):
     """A bar for each phase of the processor time."""
-    total = seconds["total"]
-    parts = {PHASES.get(name, words_of(name)): value for name, value in seconds.items() if name != "total"}
-    parts["everything else"] = max(0.0, total - sum(max(0.0, value) for value in parts.values()))
-    bar = lambda value: Raw(f"<span class=bar style='width:{max(0.0, 18 * value / total) if total else 0:.2f}rem'></span>")
+    total = summary["cpu_seconds"]["total"]
+    parts = {PHASES.get(name, words_of(name)): value for name, value in phase_seconds(summary).items()}
+    parts["everything else"] = max(0.0, total - sum(parts.values()))
+    bar = lambda value: Raw(f"<span class=bar style='width:{18 * value / total if total else 0:.2f}rem'></span>")
     return table([(name, float(value), f"{100 * value / total:.0f} %" if total else "–", bar(value))
                   for name, value in parts.items()], ("phase", "CPU seconds", "part", ""))
 
@@ -294,6 +307,7 @@ SECTIONS = {
     "What happened": what_happened,
     "The fields in time": fields_in_time,
     "Curves in time": lambda run: curves(run, CURVES),
+    "Along the lines of the case": lines,
     "Quantities": quantities,
     "How the solver worked": solver,
     "Remarks and warnings": remarks,
@@ -350,6 +364,7 @@ def main():
     parser.add_argument("directory", metavar="OUT_DIR", help="output directory of a run")
     parser.add_argument("-o", "--output", type=Path, help="default: OUT_DIR/report.html")
     given = parser.parse_args()
+    draw_to_files()
     try:
         print(f"Report: {write(given.directory, given.output)}")
     except (OSError, ValueError, KeyError, json.JSONDecodeError) as error:

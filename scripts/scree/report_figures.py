@@ -67,13 +67,33 @@ def curves(table, columns, name, label, logarithmic=False):
 
 def profiles(run, field, name):
     """A field of one dimension at some of its times, as SVG."""
-    chosen = np.unique(np.linspace(0, len(run.times) - 1, len(LINES)).round().astype(int))
+    at = {time: plots.size_of(run.at(time, [field])[field]) for time in some(run.times, len(LINES))}
+    unit = run.attributes[field].get("unit", "1")
+    return profile_curves({time: (values.x, values) for time, values in at.items()}, "x (m)",
+                          plots.label_of(field, unit), name)
+
+
+def line_profiles(table, column, unit, name):
+    """A field along a sampled line at some of its times, as SVG. table: see Run.lines."""
+    at = {time: table[table.time == time] for time in some(table.time.unique(), len(LINES))}
+    axes = [axis for axis in "xyz" if axis in table]
+    distance = lambda part: np.sqrt(sum((part[axis] - part[axis].iloc[0]) ** 2 for axis in axes))
+    return profile_curves({time: (distance(part), part[column]) for time, part in at.items()},
+                          "distance along the line (m)", plots.label_of(column, unit), name)
+
+
+def some(items, count):
+    """At most `count` of the items at even distances, with the first and the last."""
+    return [items[k] for k in np.unique(np.linspace(0, len(items) - 1, min(len(items), count)).round().astype(int))]
+
+
+def profile_curves(at, across, label, name):
+    """Curves at some times as SVG. at: time -> (places, values)."""
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(5.6, 3.4), gridspec_kw=MARGINS)
-        for k, colour in zip(chosen, LINES):
-            values = plots.size_of(run.dataset([field], [run.times[k]])[field].isel(time=0))
-            axes.plot(values.x, values, color=colour, label=f"{run.times[k]:.3g} s")
-        axes.set(xlabel="x (m)", ylabel=plots.label_of(field, values.attrs["units"]))
+        for (time, (places, values)), colour in zip(at.items(), LINES):
+            axes.plot(places, values, color=colour, label=f"{time:.3g} s")
+        axes.set(xlabel=across, ylabel=label)
         axes.legend(fontsize=9)
         return svg(figure, name)
 
@@ -101,8 +121,7 @@ def fields_to_show(run):
 
 def shown_times(run):
     """Times of the frames: all, or FRAMES of them at even distances, with the first and the last [s]."""
-    count = len(run.times)
-    return [run.times[k] for k in np.unique(np.linspace(0, count - 1, min(count, FRAMES)).round().astype(int))]
+    return some(run.times, FRAMES)
 
 
 def plane(run, field, time):
@@ -119,8 +138,7 @@ def scale_of(run, field, times):
     """The colour scale that all frames of a field share."""
     if field == "solids_fraction":
         return Normalize(0, float(run.case.get("solids_fraction_max", 0.65)))
-    some = [times[k] for k in np.unique(np.linspace(0, len(times) - 1, SAMPLED).round().astype(int))]
-    values = np.concatenate([plane(run, field, time).ravel() for time in some])
+    values = np.concatenate([plane(run, field, time).ravel() for time in some(times, SAMPLED)])
     values = values[np.isfinite(values)]
     if not len(values):
         return Normalize(0, 1)

@@ -55,11 +55,14 @@ class Run:
     def monitor(self):
         """monitor.csv as a pandas.DataFrame, a row a step; attrs["units"]: column -> unit."""
         table = pandas.DataFrame(output.monitor(self.directory))
-        units = {name: entry["unit"] for name, entry in self.attributes.items() if "unit" in entry}
-        # Columns name components: velocity_x, which the files hold at its faces.
-        units.update({name.removesuffix("_face"): unit for name, unit in units.items()})
-        table.attrs["units"] = {name: output.unit_of(name, units) for name in table}
+        table.attrs["units"] = {name: output.unit_of(name, self.units) for name in table}
         return table
+
+    @cached_property
+    def units(self):
+        """Units of the fields and of the components of vectors, such as velocity_x: name -> SI unit."""
+        units = {name: entry["unit"] for name, entry in self.attributes.items() if "unit" in entry}
+        return {**units, **{name.removesuffix("_face"): unit for name, unit in units.items()}}
 
     # ---- fields ----
 

@@ -21,7 +21,7 @@ SMALLEST = 1e-3  # [%], for logarithmic axes: less is drawn there
 
 def draw_all(rows, references, usual, case, out):
     """Into out/plots, what the runs allow."""
-    plt.rcParams.update({**plots.STYLE, "savefig.dpi": 120, "font.size": 10.5, "axes.labelsize": 11})
+    plots.draw_to_files(**{"savefig.dpi": 120, "font.size": 10.5, "axes.labelsize": 11})
     draw_if(any(references.values()), lambda: draw_total(rows, references, usual, case), out, "error_total.png")
     draw_if(any(row.errors["time"] for row in rows), lambda: draw_time(rows, usual, case), out, "error_time.png")
     draw_if(work_precision.model_variants(rows), lambda: draw_models(rows, usual, case), out, "models.png")

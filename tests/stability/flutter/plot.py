@@ -11,7 +11,7 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "support"), str(HERE.parents[2] / "scripts")]
 from scree import output  # noqa: E402
-from scree.plots import STYLE, plt  # noqa: E402
+from scree.plots import draw_to_files, plt  # noqa: E402
 from waves import RATIO, divergence, lagged_factor  # noqa: E402
 
 
@@ -73,7 +73,7 @@ def column(axes, work):
 def main():
     work = Path(sys.argv[1])
     target = Path(sys.argv[2]) if len(sys.argv) > 2 else HERE / "flutter.png"
-    plt.rcParams.update({**STYLE, "font.size": 10, "axes.labelsize": 11, "axes.titlesize": 11, "savefig.dpi": 110})
+    draw_to_files(**{"font.size": 10, "axes.labelsize": 11, "axes.titlesize": 11, "savefig.dpi": 110})
     figure, axes = plt.subplots(1, 4, figsize=(15, 4), gridspec_kw={"width_ratios": [1, 1, 1, 0.55]})
     rates(axes[0], table(work / "rates.csv"))
     factors(axes[1], table(work / "steps.csv"))
