@@ -25,7 +25,7 @@ void declare_model(OptionSet& o, int dim, ModelParameters& model) {
          "added to T under square roots");
   o.choice("advection", model.advection,
            {{"upwind", AdvectionScheme::upwind}, {"van_albada", AdvectionScheme::van_albada}}, "scheme of advection");
-  o.real("solids_fraction_floor", model.void_fraction_floor, "-", positive(),
+  o.real("solids_fraction_floor", model.solids_fraction_floor, "-", positive(),
          "added to nu in inertia and storage, and in the void drag eps rho_s v/t_d");
   o.real("void_drag_time", model.void_drag_time, "s", positive(), "t_d of that drag");
 }

@@ -214,7 +214,7 @@ PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
   PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
   PetscCall(measure_remainder(problem_, stage_.shift, state, residual, &left));
   *small = left.dilute <= NewtonTolerance::dilute(control_.accuracy) && left.nu_change <= tolerated_residual() &&
-           left.least_nu >= -share_of_floor * problem_.setup().model.void_fraction_floor;
+           left.least_nu >= -share_of_floor * problem_.setup().model.solids_fraction_floor;
   PetscFunctionReturn(0);
 }
 

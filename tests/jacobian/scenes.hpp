@@ -183,7 +183,7 @@ inline std::vector<NamedScene> scenes_of_options(const ProblemSetup& base) {
   scenes[0].setup.solids.friction.strain_rate_fluctuation = false;
   scenes[1].setup.model.solids_moving = false;
   scenes[2].setup.model.gravity = {1.0, -9.81, 0.5};
-  scenes[2].setup.model.void_fraction_floor = 1e-3;
+  scenes[2].setup.model.solids_fraction_floor = 1e-3;
   return scenes;
 }
 

@@ -23,7 +23,7 @@ struct ModelParameters {
   bool gas_alone = false;               ///< T and chi are frozen too: used to make p_g and u consistent with the rest
   bool gas_viscous_stress = false;      ///< sigma_g of (5) in full; false: sigma_g = p_g I
   double darcy_solids_fraction = 1e-3;  ///< gas darcy: drag in voids is that of this solids fraction [-]
-  double void_fraction_floor = 1e-5;    ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
+  double solids_fraction_floor = 1e-5;  ///< eps added to nu in storage, and in the void drag eps rho_s v/t_d [-]
   double void_drag_time = 1e-2;         ///< t_d of that drag [s]
 };
 

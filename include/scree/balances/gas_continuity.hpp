@@ -3,7 +3,7 @@
 ///     div(nu v + (1-nu) u) = 0
 ///
 ///     term              function   kernel that evaluates it
-///     div(nu v)         -          GasVolumeFlux (gas_volume_flux.hpp), from mass_flux.hpp
+///     div(nu v)         -          GasVolumeFlux (gas_volume_flux.hpp), from solids_flux.hpp
 ///     div((1-nu) u)     flux       GasVolumeFlux, from gas_flux.hpp
 ///
 /// The sum of (1) and (2) has no time derivative: what it says holds at every time, and nothing drifts.

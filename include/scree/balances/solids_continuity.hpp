@@ -4,9 +4,9 @@
 ///
 ///     term              function   kernel that evaluates it
 ///     d(nu)/dt          storage    CellBalances (cell_balances.hpp)
-///     div(nu v)         flux       ScalarFluxes (scalar_fluxes.hpp), from mass_flux.hpp
+///     div(nu v)         flux       ScalarFluxes (scalar_fluxes.hpp), from solids_flux.hpp
 ///
-/// The flux through a face is computed once, in mass_flux.hpp, for every balance that is carried by the particles.
+/// The flux through a face is computed once, in solids_flux.hpp, for every balance that is carried by the particles.
 #pragma once
 
 #include "scree/grid/unknown.hpp"

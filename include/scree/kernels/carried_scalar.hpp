@@ -32,7 +32,7 @@ struct CarriedScalarFlux {
   static constexpr int phi = L::template first<Scalar>();
   static constexpr StencilBuilder make_stencil() {
     StencilBuilder s;
-    add_mass_flux_inputs<L, SecondOrder>(s, axis, {});
+    add_solids_flux_inputs<L, SecondOrder>(s, axis, {});
     for (int reach = SecondOrder ? -2 : -1; reach <= (SecondOrder ? 1 : 0); ++reach) s.add(phi, reach * e);
     return s;
   }
@@ -49,7 +49,7 @@ struct CarriedScalarFlux {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarFlux, Number>& q,
                        std::array<Number, count>& r) {
-    const Number F = scree::mass_flux<L, SecondOrder>(scene, I, q, axis, {});
+    const Number F = scree::solids_flux<L, SecondOrder>(scene, I, q, axis, {});
     const Number value = carried<L, SecondOrder, Scalar>(scene, I, q, axis, F);
     const Number &below = q(phi, -1 * e), &above = q(phi);
     Number conducted(0.0);
@@ -89,7 +89,7 @@ struct CarriedScalarSource {
   static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarSource, Number>& q,
                        std::array<Number, count>& r) {
     const auto strain = cell_strain<L>(scene, I, q);
-    const Number &nu = q(L::nu), stored = nu + void_floor(nu, scene.model.void_fraction_floor);
+    const Number &nu = q(L::nu), stored = nu + void_floor(nu, scene.model.solids_fraction_floor);
     const ScalarPoint<Number> at{q(phi),       nu,        Number(temperature_input<L>(q)), Number(chi_input<L>(q)),
                                  strain.div_v, strain.S_S};
     r[0] += Scalar::capacity(scene) * stored * q.dot(phi) - Scalar::source(scene, at);

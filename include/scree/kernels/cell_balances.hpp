@@ -57,7 +57,7 @@ struct CellBalances {
     }
     r[nu_row] += SolidsContinuity::storage(q.dot(L::nu));
 
-    const Number floor = void_floor(q(L::nu), scene.model.void_fraction_floor), stored = q(L::nu) + floor;
+    const Number floor = void_floor(q(L::nu), scene.model.solids_fraction_floor), stored = q(L::nu) + floor;
     if constexpr (L::has_T)
       r[T_row] += GranularEnergy::storage(scene.solids.kinetic.rho_s, stored, q.dot(L::T)) - energy;
     if constexpr (L::has_chi)
@@ -76,7 +76,7 @@ struct CellBalances {
                        const Number& on_v, std::array<Number, count>& r) {
     for (int a = 0; a < L::dim; ++a)
       for (int side = 0; side < 2; ++side) {
-        const Number w = share_of_cell(scene, a, I, side) * slip<L>(q, a, side * unit(a));
+        const Number w = share_of_cell(scene, a, I, side) * gas_slip<L>(q, a, side * unit(a));
         r[2 * a + side] -= SolidsMomentum::drag(on_v, Number(w));
         r[u_row + 2 * a + side] += GasMomentum::drag(beta, Number(w));
       }

@@ -35,7 +35,7 @@ struct FaceForces {
                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
     const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
-    const Number floor = void_floor(nu, scene.model.void_fraction_floor);
+    const Number floor = void_floor(nu, scene.model.solids_fraction_floor);
     r[0] += SolidsMomentum::inertia(rho_s, Number(nu + floor), q.dot(L::v(axis))) -
             SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
     if constexpr (!L::has_u) r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));

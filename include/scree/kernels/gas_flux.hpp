@@ -3,7 +3,7 @@
 
 #include "scree/closures/drag.hpp"
 #include "scree/kernels/gas_slip.hpp"
-#include "scree/kernels/mass_flux.hpp"
+#include "scree/kernels/solids_flux.hpp"
 
 namespace scree {
 

@@ -89,7 +89,7 @@ constexpr void add_cell_slip_inputs(StencilBuilder& s) {
 
 /// u_a - v_a at the lower a face of anchor + at.
 template <class L, class Q>
-auto slip(const Q& q, int a, const Index& at) {
+auto gas_slip(const Q& q, int a, const Index& at) {
   return q(L::u(a), at) - q(L::v(a), at);
 }
 
@@ -104,7 +104,7 @@ auto cell_slip_squared(const Scene& scene, const Index& I, const Q& q) {
     for (int a = 0; a < L::dim; ++a) {
       Number w;
       if constexpr (L::has_u)
-        w = 0.5 * (slip<L>(q, a, {}) + slip<L>(q, a, unit(a)));
+        w = 0.5 * (gas_slip<L>(q, a, {}) + gas_slip<L>(q, a, unit(a)));
       else
         w = cell_gradient<L>(scene, I, q, a, {});
       sum += w * w;
@@ -139,13 +139,13 @@ auto face_slip_squared(const Scene& scene, const Index& I, const Q& q, int axis,
   } else if constexpr (!L::has_u) {
     return slip_squared_of_gradient<L>(scene, nu, Number(pressure_gradient_squared<L>(scene, I, q, axis, Index{})));
   } else {
-    const Number own = slip<L>(q, axis, {});
+    const Number own = gas_slip<L>(q, axis, {});
     Number sum = own * own;
     for (int b = 0; b < L::dim; ++b) {
       if (b == axis) continue;
       Number w(0.0);
       for (int side = 0; side < 2; ++side)
-        for (int back = 0; back < 2; ++back) w += 0.25 * slip<L>(q, b, side * unit(b) - back * unit(axis));
+        for (int back = 0; back < 2; ++back) w += 0.25 * gas_slip<L>(q, b, side * unit(b) - back * unit(axis));
       sum += w * w;
     }
     return sum;
@@ -182,7 +182,7 @@ auto edge_slip_squared(const Scene& scene, const Index& I, const Q& q, int a, in
     Number sum(0.0);
     const auto component = [&](int axis, const Index& at) {
       if constexpr (L::has_u)
-        return Number(slip<L>(q, axis, at));
+        return Number(gas_slip<L>(q, axis, at));
       else
         return Number(pressure_gradient<L>(scene, I, q, axis, at));
     };

@@ -11,7 +11,7 @@ struct GasVolumeFlux {
   static constexpr Index e = unit(axis);
   static constexpr StencilBuilder make_stencil() {
     StencilBuilder s;
-    add_mass_flux_inputs<L, SecondOrder>(s, axis, {});
+    add_solids_flux_inputs<L, SecondOrder>(s, axis, {});
     add_gas_flux_inputs<L>(s, axis, {});
     return s;
   }
@@ -30,7 +30,7 @@ struct GasVolumeFlux {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<GasVolumeFlux, Number>& q,
                        std::array<Number, count>& r) {
-    const Number flux = mass_flux<L, SecondOrder>(scene, I, q, axis, {}) + gas_flux<L>(scene, I, q, axis, {});
+    const Number flux = solids_flux<L, SecondOrder>(scene, I, q, axis, {}) + gas_flux<L>(scene, I, q, axis, {});
     r[0] += out_of_cell(scene, axis, I - e, flux);
     r[1] -= out_of_cell(scene, axis, I, flux);
   }

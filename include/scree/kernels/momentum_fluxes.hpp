@@ -15,11 +15,11 @@ struct ParticlePhase {
   static constexpr int velocity(int axis) { return L::v(axis); }
   static double density(const Scene& scene) { return scene.solids.kinetic.rho_s; }
   static constexpr void add_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
-    add_mass_flux_inputs<L, SecondOrder>(s, axis, at);
+    add_solids_flux_inputs<L, SecondOrder>(s, axis, at);
   }
   template <class Q>
   static auto flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
-    return mass_flux<L, SecondOrder>(scene, I, q, axis, at);
+    return solids_flux<L, SecondOrder>(scene, I, q, axis, at);
   }
   static bool stops(const BoundaryKind& kind) { return kind.stops_solids(); }
   static bool brings(const BoundaryKind& kind) { return kind.brings_solids(); }

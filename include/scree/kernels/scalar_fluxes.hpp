@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scree/kernels/gas_slip.hpp"
-#include "scree/kernels/mass_flux.hpp"
+#include "scree/kernels/solids_flux.hpp"
 
 namespace scree {
 
@@ -37,7 +37,7 @@ struct ScalarFluxes {
 
   static constexpr StencilBuilder make_stencil() {
     StencilBuilder s;
-    add_mass_flux_inputs<L, SecondOrder>(s, axis, {});
+    add_solids_flux_inputs<L, SecondOrder>(s, axis, {});
     for (int reach = first; reach <= last; ++reach) {
       s.add(L::T, reach * e);
       s.add(L::chi, reach * e);
@@ -76,7 +76,7 @@ struct ScalarFluxes {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
                        std::array<Number, count>& r) {
-    const Number F = mass_flux<L, SecondOrder>(scene, I, q, axis, {});
+    const Number F = solids_flux<L, SecondOrder>(scene, I, q, axis, {});
     r[0] += out_of_cell(scene, axis, I - e, F);
     r[1] -= out_of_cell(scene, axis, I, F);
 

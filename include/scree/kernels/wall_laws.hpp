@@ -65,18 +65,18 @@ struct WallLaws {
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
   template <class Q>
-  static auto slip(const Q& q, const Condition& wall, int t, int side) {
+  static auto wall_slip(const Q& q, const Condition& wall, int t, int side) {
     return q(L::v(t), side * unit(t)) - wall.velocity[t];
   }
 
   /// |v_sl|^2 at a tangential velocity: its own component there, the mean over the cell of the other one.
   template <class Number, class Q>
   static Number slip_speed_squared(const Q& q, const Condition& wall, int axis, int t, int side) {
-    const auto own = slip(q, wall, t, side);
+    const auto own = wall_slip(q, wall, t, side);
     Number sum = own * own;
     for (int other = 0; other < L::dim; ++other) {
       if (other == axis || other == t) continue;
-      const auto low = slip(q, wall, other, 0), high = slip(q, wall, other, 1);
+      const auto low = wall_slip(q, wall, other, 0), high = wall_slip(q, wall, other, 1);
       sum += 0.5 * (low * low + high * high);
     }
     return sum;
@@ -117,7 +117,7 @@ struct WallLaws {
                      wall_traction_coefficient(nu_, sqrt_T_, N_, share * share * slip_squared, kinetic, wall.wall);
             },
             q(L::nu), sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
-        add_stress(scene, I, axis, t, side, Number(c * slip(q, wall, t, side)), r);
+        add_stress(scene, I, axis, t, side, Number(c * wall_slip(q, wall, t, side)), r);
       }
   }
 
@@ -129,7 +129,7 @@ struct WallLaws {
     Number mean_slip_squared(0.0);
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
-        const Number component = slip(q, wall, t, side);
+        const Number component = wall_slip(q, wall, t, side);
         mean_slip_squared += 0.5 * (component * component);
       }
     const KineticParameters& kinetic = scene.solids.kinetic;

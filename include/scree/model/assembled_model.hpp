@@ -147,7 +147,7 @@ class AssembledModel final : public Model {
       if (a() != axis || !Kernel::active(assembly_.scene, I)) return;
       Local<Kernel, double> q;
       assembly_.gather(state, I, q);
-      flux = mass_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
+      flux = scree::solids_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
     });
     return flux;
   }

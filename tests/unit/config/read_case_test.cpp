@@ -229,13 +229,13 @@ TEST_F(ReadCase, NestingTellsNamesThatFlatKeysLeaveOpen) {
 
 TEST_F(ReadCase, FormerNamesAreUnderstoodWithARemark) {
   small_bin();
-  yaml("void_fraction_floor: 1e-5");
+  yaml("solids_fraction_floor: 1e-5");
   Case scene = read_case();
-  EXPECT_EQ(scene.model.void_fraction_floor, 1e-5);
-  EXPECT_TRUE(has_remark(scene, "void_fraction_floor (test.yaml:1) is now called solids_fraction_floor"));
+  EXPECT_EQ(scene.model.solids_fraction_floor, 1e-5);
+  EXPECT_TRUE(has_remark(scene, "solids_fraction_floor (test.yaml:1) is now called solids_fraction_floor"));
   set("solids_fraction_floor", "1e-6");
   scene = read_case();
-  EXPECT_EQ(scene.model.void_fraction_floor, 1e-6);
+  EXPECT_EQ(scene.model.solids_fraction_floor, 1e-6);
   EXPECT_NE(scene.effective_yaml.find("\nsolids_fraction_floor: "), std::string::npos);
 }
 

@@ -35,7 +35,7 @@ class Conservation : public testing::TestWithParam<std::tuple<int, AdvectionSche
     ProblemSetup setup = base();
     setup.box.periodic = {true, true, true};
     setup.segments.clear();
-    setup.model.void_fraction_floor = setup.model.darcy_solids_fraction = 0;
+    setup.model.solids_fraction_floor = setup.model.darcy_solids_fraction = 0;
     setup.model.gas_viscous_stress = true;
     return setup;
   }

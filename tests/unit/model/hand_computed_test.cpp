@@ -22,7 +22,7 @@ TEST(UniformDilation, SourcesAreThoseOfTheClosures) {
     for (const double E : {4.0, -4.0}) {
       ProblemSetup setup = sample_setup(graded_box(dim, {6, 5, 5}));
       setup.segments = all_sides(setup.box, condition(BoundaryKind::open));
-      setup.model.void_fraction_floor = 0;
+      setup.model.solids_fraction_floor = 0;
       Evaluation problem(PETSC_COMM_SELF, setup);
       const double nu = 0.56, T = 1e-4, chi = 0.95;
       const Values residual = problem.residual(problem.values([&](const Field& f, const Index& I) {
@@ -50,7 +50,7 @@ TEST(UniformDilation, AdvectionIsExactUpToTheWall) {
     ProblemSetup setup = sample_setup(uniform_box(1, {8, 0, 0}), FrictionModel::none, TemperatureModel::constant,
                                       AdvectionScheme::van_albada);
     setup.segments = {side(0, false, condition(kind)), side(0, true, condition(BoundaryKind::open))};
-    setup.model.void_fraction_floor = 0;
+    setup.model.solids_fraction_floor = 0;
     Evaluation problem(PETSC_COMM_SELF, setup);
     const double nu = 0.3, E = 5;
     const Axis& x = problem.lattice().axes[0];
@@ -68,7 +68,7 @@ TEST(UniformDilation, AdvectionIsExactUpToTheWall) {
 TEST(UniformShear, StressFollowsTheSolidsFractionAtTheEdges) {
   ProblemSetup setup = sample_setup(graded_box(2, {6, 5, 0}), FrictionModel::none, TemperatureModel::constant);
   setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
-  setup.model.void_fraction_floor = 0;
+  setup.model.solids_fraction_floor = 0;
   Evaluation problem(PETSC_COMM_SELF, setup);
   const Axis &x = problem.lattice().axes[0], &y = problem.lattice().axes[1];
   const double gdot = 3;
@@ -94,7 +94,7 @@ TEST(WallTraction, OfUnequalCellsIsWeightedByTheirShares) {
   for (int across = 0; across < 2; ++across) {
     const int along = 1 - across;
     ProblemSetup rough = sample_setup(graded_box(2, {6, 6, 0}), FrictionModel::none, TemperatureModel::constant);
-    rough.model.void_fraction_floor = 0;
+    rough.model.solids_fraction_floor = 0;
     ProblemSetup smooth = rough;
     smooth.segments = all_sides(rough.box, condition(BoundaryKind::wall_free_slip));
     const double v = 0.03;
@@ -171,7 +171,7 @@ ProblemSetup gas_setup(int dim, GasModel gas) {
   ProblemSetup setup = sample_setup(graded_box(dim, {6, 5, 4}), FrictionModel::none, TemperatureModel::constant,
                                     AdvectionScheme::upwind, gas);
   setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
-  setup.model.void_fraction_floor = setup.model.darcy_solids_fraction = 0;
+  setup.model.solids_fraction_floor = setup.model.darcy_solids_fraction = 0;
   return setup;
 }
 

@@ -254,7 +254,7 @@ TEST(Invariance, ConstantVelocityAlongAUniformAxisChangesNothing) {
         setup.box.periodic = {true, false, false};
         setup.segments = all_sides(setup.box, sticky(condition(kind, {0.02, 0, 0})));
         setup.model.gas_viscous_stress = true;
-        setup.model.void_fraction_floor = 0;  // its drag is towards rest
+        setup.model.solids_fraction_floor = 0;  // its drag is towards rest
         const Values still = seen_from(setup, 0), moving = seen_from(setup, 0.3);
         double scale = 0;
         for (const double f : still) scale = std::max(scale, std::abs(f));

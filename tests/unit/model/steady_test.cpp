@@ -55,7 +55,7 @@ TEST(UniformFlow, StaysAsItIsOnGradedCells) {
         const Combination c{dim, FrictionModel::relaxed, TemperatureModel::transport, advection};
         const std::array<double, max_dim> wind{0.05 * sign, -0.03 * sign, 0.02 * sign};
         ProblemSetup setup = sample_setup(c);
-        setup.model.void_fraction_floor = 0;
+        setup.model.solids_fraction_floor = 0;
         setup.segments.clear();
         Condition inlet = condition(BoundaryKind::inlet, wind);
         inlet.bring(SolidsContinuity::unknown, 0.56);
@@ -81,7 +81,7 @@ TEST(UniformFlow, SlidesAlongMovingWalls) {
        {BoundaryKind::wall_johnson_jackson, BoundaryKind::wall_no_slip, BoundaryKind::wall_free_slip}) {
     ProblemSetup setup =
         sample_setup({2, FrictionModel::critical_state, TemperatureModel::constant, AdvectionScheme::van_albada});
-    setup.model.void_fraction_floor = 0;
+    setup.model.solids_fraction_floor = 0;
     setup.box.periodic = {true, false, false};
     setup.segments = all_sides(setup.box, condition(kind, {0.05, 0, 0}));
     SCOPED_TRACE("walls of kind " + std::string(kind.name));
@@ -97,7 +97,7 @@ TEST(UniformFlow, OfBothPhasesStaysAsItIs) {
         for (const double speed : {0.05, -0.05}) {
           const Combination c{dim, FrictionModel::relaxed, TemperatureModel::transport, advection, gas};
           ProblemSetup setup = sample_setup(c);
-          setup.model.void_fraction_floor = 0;
+          setup.model.solids_fraction_floor = 0;
           setup.model.gas_viscous_stress = true;
           for (int axis = 0; axis < dim; ++axis) {
             std::array<double, max_dim> wind{0, 0, 0};
@@ -124,7 +124,7 @@ TEST(UniformFlow, OfGasSlidesAlongMovingWalls) {
   for (const auto gas : {GasModel::darcy, GasModel::incompressible}) {
     ProblemSetup setup =
         sample_setup({2, FrictionModel::critical_state, TemperatureModel::constant, AdvectionScheme::van_albada, gas});
-    setup.model.void_fraction_floor = 0;
+    setup.model.solids_fraction_floor = 0;
     setup.model.gas_viscous_stress = true;
     setup.box.periodic = {true, false, false};
     setup.segments = all_sides(setup.box, sticky(condition(BoundaryKind::wall_no_slip, {0.05, 0, 0})));
@@ -230,7 +230,7 @@ TEST(UniformRest, InGasIsSteady) {
 /// A uniform bed through which gas flows along an axis at superficial velocity U, and the residual of that state.
 struct Percolation {
   Percolation(ProblemSetup bed, int axis, double nu, double U, double gradient) : setup(std::move(bed)) {
-    setup.model.void_fraction_floor = setup.model.darcy_solids_fraction = 0;
+    setup.model.solids_fraction_floor = setup.model.darcy_solids_fraction = 0;
     setup.model.gas_viscous_stress = true;
     Condition inlet = condition(BoundaryKind::gas_inlet), opening = condition(BoundaryKind::open);
     inlet.gas_velocity = std::abs(U);
@@ -335,7 +335,7 @@ TEST(UniformShear, MatchedCouetteFlowIsSteady) {
         box.faces[axis] = graded_faces(cells[axis], 1e-3, 1.2);
         ProblemSetup setup = sample_setup(box, FrictionModel::critical_state, TemperatureModel::transport, advection);
         setup.solids.kinetic.d = setup.solids.friction.d = m.d;
-        setup.model.void_fraction_floor = 0;
+        setup.model.solids_fraction_floor = 0;
         setup.segments.clear();
         for (const bool up : {false, true}) {
           Condition wall = condition(BoundaryKind::wall_johnson_jackson);
@@ -384,7 +384,7 @@ TEST(Signs, ViscosityWallsAndConductionActAgainstDifferences) {
   for (const auto friction : {FrictionModel::none, FrictionModel::critical_state, FrictionModel::relaxed}) {
     ProblemSetup setup = sample_setup(uniform_box(3, {4, 4, 4}), friction);
     setup.solids.kinetic.e_p = 1;
-    setup.model.void_fraction_floor = 0;
+    setup.model.solids_fraction_floor = 0;
     SCOPED_TRACE("friction model " + std::string(friction->name));
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_GT(row_of_raised(setup, "", 1 + axis, {{2, 2, 2}}, 1e-3), 0) << "viscosity on v_"
@@ -400,7 +400,7 @@ TEST(Signs, NormalStressResistsCompression) {
       std::array<int, max_dim> cells{5, 5, 5};
       ProblemSetup setup = sample_setup(uniform_box(dim, cells), FrictionModel::none, TemperatureModel::constant);
       setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
-      setup.model.void_fraction_floor = 0;
+      setup.model.solids_fraction_floor = 0;
       Evaluation problem(PETSC_COMM_SELF, setup);
       const double nu = 0.57, raise = 1e-7, width = 2e-3;
       const Values residual = problem.residual(problem.values([&](const Field& f, const Index& I) {
@@ -442,7 +442,7 @@ TEST(Signs, WallLawsActOnTheCellBeside) {
         velocity[along] = wall_velocity;
         setup.segments = {side(across, !upper, condition(BoundaryKind::symmetry)),
                           side(across, upper, condition(BoundaryKind::wall_johnson_jackson, velocity))};
-        setup.model.void_fraction_floor = 0;
+        setup.model.solids_fraction_floor = 0;
         Evaluation problem(PETSC_COMM_WORLD, setup);
         const Values state = problem.values([&](const Field& f, const Index& I) {
           if (!problem.lattice().inside(I)) return 0.0;

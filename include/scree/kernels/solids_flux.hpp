@@ -10,7 +10,7 @@ namespace scree {
 
 /// Adds the inputs of mass_flux for the lower `axis` face of anchor + at.
 template <class L, bool SecondOrder>
-constexpr void add_mass_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
+constexpr void add_solids_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
   s.add(L::v(axis), at);
   for (int reach = SecondOrder ? -2 : -1; reach <= (SecondOrder ? 1 : 0); ++reach)
     s.add(L::nu, at + reach * unit(axis));
