@@ -6,7 +6,7 @@ namespace scree {
 
 const std::string* present_name(const std::string& key) {
   static const std::map<std::string, std::string> renamed{
-      {"solids_fraction_floor", "solids_fraction_floor"}};  // "void fraction" is that of the gas
+      {"void_fraction_floor", "solids_fraction_floor"}};  // "void fraction" is that of the gas
   const auto entry = renamed.find(key);
   return entry == renamed.end() ? nullptr : &entry->second;
 }

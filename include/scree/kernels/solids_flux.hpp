@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// Adds the inputs of mass_flux for the lower `axis` face of anchor + at.
+/// Adds the inputs of solids_flux for the lower `axis` face of anchor + at.
 template <class L, bool SecondOrder>
 constexpr void add_solids_flux_inputs(StencilBuilder& s, int axis, const Index& at) {
   s.add(L::v(axis), at);
@@ -18,7 +18,7 @@ constexpr void add_solids_flux_inputs(StencilBuilder& s, int axis, const Index& 
 
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
-[[gnu::always_inline]] inline auto mass_flux(const Scene& scene, const Index& I, const Q& q, int axis,
+[[gnu::always_inline]] inline auto solids_flux(const Scene& scene, const Index& I, const Q& q, int axis,
                                              const Index& at) {
   using Number = std::decay_t<decltype(q(L::nu))>;
   const Index e = unit(axis), face = I + at;
