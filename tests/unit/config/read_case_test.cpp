@@ -229,10 +229,10 @@ TEST_F(ReadCase, NestingTellsNamesThatFlatKeysLeaveOpen) {
 
 TEST_F(ReadCase, FormerNamesAreUnderstoodWithARemark) {
   small_bin();
-  yaml("solids_fraction_floor: 1e-5");
+  yaml("void_fraction_floor: 1e-5");
   Case scene = read_case();
   EXPECT_EQ(scene.model.solids_fraction_floor, 1e-5);
-  EXPECT_TRUE(has_remark(scene, "solids_fraction_floor (test.yaml:1) is now called solids_fraction_floor"));
+  EXPECT_TRUE(has_remark(scene, "void_fraction_floor (test.yaml:1) is now called solids_fraction_floor"));
   set("solids_fraction_floor", "1e-6");
   scene = read_case();
   EXPECT_EQ(scene.model.solids_fraction_floor, 1e-6);
