@@ -28,6 +28,10 @@ void CaseInput::put(std::string key, const Given& given) {
 
 void CaseInput::insert(const std::vector<YamlEntry>& entries) {
   for (const YamlEntry& entry : entries) {
+    if (entry.path == std::vector<std::string>{petsc_section}) {
+      if (entry.text.empty()) continue;
+      throw InputError(petsc_section, entry.text, "a section of PETSc's options, 'petsc: {key: value}'", entry.place);
+    }
     const bool for_petsc = entry.path.size() > 1 && entry.path[0] == petsc_section;
     if (for_petsc)
       put(flat_key({entry.path.begin() + 1, entry.path.end()}), {entry.text, entry.place, "", true});

@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 #: Additions to small_bin.yaml that neither the schema nor the program takes.
 WRONG = [
     "frction: {tau: 1}", "friction: {tua: 1}", "friction_tua: 1", "friction: {tau: -1}", "friction: {tau: 0}",
-    "friction: {tau: heavy}", "friction: {tau: .nan}", "friction: {tau: yes}", "friction: {model: sticky}",
+    "friction: {tau: heavy}", "friction: {tau: nan}", "friction: {tau: yes}", "friction: {model: sticky}",
     "friction: {angle: 28.5}", "particle: {restitution: 1.2}", "solids_fraction_max: 0.8", "dimension: 4",
     "grid_refine: 1.5", "grid_refine: 0", "time_step_adaptive: maybe", "gravity: [0, nan]", "gravity: {x: 0}",
     "boundary: {lid: {side: y_upper, knd: open}}", "boundary: {lid: {side: up, kind: open}}",

@@ -206,6 +206,8 @@ TEST_F(ReadCase, PetscSectionIsForPetscAlone) {
   const InputError error = error_of_case();
   EXPECT_EQ(error.key, "petsc: friction_tau");
   EXPECT_EQ(error.place, "test.yaml:1");
+  EXPECT_THROW(yaml("petsc: 1"), InputError);
+  EXPECT_NO_THROW(yaml("petsc:"));
 }
 
 TEST_F(ReadCase, NoOptionOfOursLooksLikeOneOfPetsc) {
