@@ -19,7 +19,7 @@ import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from scree import case_file, output, program, quantities, work_precision
+from scree import case_file, output, program, quantities, work_precision, work_precision_tables
 from scree.program import clock
 from scree.work_precision import Setting
 
@@ -377,8 +377,8 @@ def evaluate(runs, settings, name, out):
     from scree import work_precision_plots as plots  # takes a second to load, which a dry run need not wait for
 
     references = work_precision.add_errors(rows, runs.scene.usual)
-    work_precision.write_csv(out / "runs.csv", name, rows, quantities.UNITS, runs.scene.usual)
-    text = work_precision.choice_text(name, rows, references, runs.scene.usual)
+    work_precision_tables.write_csv(out / "runs.csv", name, rows, quantities.UNITS, runs.scene.usual)
+    text = work_precision_tables.choice_text(name, rows, references, runs.scene.usual)
     (out / "choice.md").write_text(text)
     plots.draw_all(rows, references, runs.scene.usual, name, out)
     print(f"\n{text}\n{len(rows)} runs in {out / 'runs.csv'}, pictures in {out / 'plots'}")

@@ -72,7 +72,7 @@ def quantities(read, directory, window):
 
 
 def cost(directory, window):
-    """Cost of a run, names as in work_precision.COST_NAMES."""
+    """Cost of a run, names as in work_precision_tables.COST_NAMES."""
     summary = output.summary(directory)
     phases = output.phase_seconds(summary)
     monitor = output.monitor(directory)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from scree_program import Checks  # finds scripts/ too
-from scree import work_precision
+from scree import work_precision, work_precision_tables
 import speed_against_error
 from scree.work_precision import Row, Setting
 
@@ -101,18 +101,18 @@ checks.close("without gas against with gas", plain.error("model", "rate"), 0.01 
 
 # Choice.
 names = ["rate", "profile"]
-ten, three, one = work_precision.choices(rows, names)
+ten, three, one = work_precision_tables.choices(rows, names)
 checks.equal("10 %: cheapest", (ten.row.setting.grid, ten.row.setting.advection), ("2 mm", "van_albada"))
 checks.equal("3 %: cheapest", (three.row.setting.grid, three.row.setting.advection), ("1 mm", "van_albada"))
 checks.true("3 % is reached", three.reached)
 checks.true("1 % is not reached: the nearest", not one.reached and one.row is three.row)
 
 # Files.
-page = work_precision.choice_text("made up", rows + [simple, with_gas], references, usual)
+page = work_precision_tables.choice_text("made up", rows + [simple, with_gas], references, usual)
 checks.true("choice.md names the simpler model", "critical_state" in page)
 with tempfile.TemporaryDirectory() as directory:
     path = Path(directory) / "runs.csv"
-    work_precision.write_csv(path, "made up", rows, {"rate": "g/s"}, usual)
+    work_precision_tables.write_csv(path, "made up", rows, {"rate": "g/s"}, usual)
     table = list(csv.DictReader(path.open()))
 checks.equal("runs.csv: rows", len(table), len(rows))
 checks.close("runs.csv: error of the usual run [%]", float(table[0]["error_total rate [%]"]),
