@@ -148,7 +148,7 @@ class InABrowser(Place):
     def browse(self, *flags):
         words = [CHROMIUM, *FLAGS, f"--user-data-dir={self.place / 'profile'}", "--enable-logging=stderr", *flags,
                  (self.place / "made_up" / "report.html").as_uri()]
-        return subprocess.run(words, capture_output=True, text=True, timeout=300)
+        return subprocess.run(words, capture_output=True, text=True, timeout=1200)
 
     def test_all_frames_are_decoded_and_one_of_each_field_is_shown(self):
         self.page()

@@ -97,7 +97,7 @@ class Command(Place):
             self.assertIsNone(process.poll())
             time.sleep(0.1)
         process.send_signal(signal.SIGTERM)
-        _, errors = process.communicate(timeout=100)
+        _, errors = process.communicate(timeout=400)
         self.assertEqual((process.returncode, errors), (130, "scree-sweep: stopped; start again to go on\n"))
         self.assertEqual(list(self.work.glob("*/sweep.json")), [])
         table = scree.sweep(CASE, {"friction_tau": ["1e-3", "1e-2"]}, work=self.work, end_time=5e-4)

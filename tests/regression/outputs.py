@@ -61,7 +61,7 @@ def check_moved(checks, program, run):
     moved = program.work / "moved"
     shutil.move(run.directory, moved)
     words = program.command(None, {"restart": moved, "end_time": END + 0.002})
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=1200)
     checks.equal("moved: exit code", process.returncode, 0)
     checks.true("moved: nothing in the old place", not run.directory.exists(), "the old directory is back")
     run.directory = moved

@@ -31,7 +31,7 @@ TOLERANCE = 0.01
 def script(name, *options, code=0):
     """Runs a script of scripts/paper; what it says."""
     words = [sys.executable, str(SCRIPTS / f"{name}.py"), "--out", str(OUT), "--program", program.scree, *options]
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=1200)
     checks.equal(f"{name} {' '.join(map(str, options))}: exit code", process.returncode, code)
     if process.returncode != code:
         print(process.stdout, process.stderr)

@@ -34,7 +34,7 @@ def stop_midway(program, name, options, number, after):
             break
         time.sleep(0.01)
     process.send_signal(number)
-    out, errors = process.communicate(timeout=120)
+    out, errors = process.communicate(timeout=480)
     return Run(directory, subprocess.CompletedProcess(words, process.returncode, out, errors))
 
 

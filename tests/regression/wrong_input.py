@@ -77,7 +77,7 @@ def complain(what, case, options, words, directory=None):
     """One run that must fail with one line."""
     directory = directory or program.work / what.replace(" ", "_")
     before = sorted(directory.rglob("*")) if directory.is_dir() else None
-    run = program.run(case, "", {"output_dir": directory, **options}, must_work=False, timeout=60)
+    run = program.run(case, "", {"output_dir": directory, **options}, must_work=False, timeout=240)
     ours = [line for line in run.errors.splitlines() if "scree:" in line]
     noise = [line for line in run.errors.splitlines() if "PETSC ERROR" in line or "terminate called" in line]
     if program.ranks == 1:

@@ -28,7 +28,7 @@ def damaged_copy(name, damage):
 def goes_on(name, damage):
     """What is wrong with the restart from a damaged checkpoint beside a sound one, or None. Counts where it went on."""
     directory, newest = damaged_copy(name, damage)
-    run = program.run(CASE, "damaged", {**OPTIONS, "restart": directory}, must_work=False, timeout=60)
+    run = program.run(CASE, "damaged", {**OPTIONS, "restart": directory}, must_work=False, timeout=240)
     if run.code != 0 or run.errors and program.ranks == 1:
         return f"{name}: exit {run.code} {run.errors[:300]}"
     last = vectors(checkpoints(directory)[-1])

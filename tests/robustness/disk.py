@@ -56,7 +56,7 @@ def enter_own_mounts():
 
 def start(directory, options, prefix=(), **more):
     words = [*prefix, *program.command(CASE, {"output_dir": directory, **options})]
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, **more)
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=480, **more)
     return Run(directory, process)
 
 
@@ -68,7 +68,7 @@ def start_and_fill(directory, options, fill):
     while process.poll() is None and not checkpoints(directory):
         time.sleep(0.001)
     fill(process.pid)
-    out, errors = process.communicate(timeout=120)
+    out, errors = process.communicate(timeout=480)
     return Run(directory, subprocess.CompletedProcess(words, process.returncode, out, errors))
 
 

@@ -15,7 +15,7 @@ FILES = ["00000733.h5", "00000733.h5.part", "00000741.h5.part"]
 
 
 def run(name, more):
-    return program.run("bed.yaml", name, {**OPTIONS, **more}, timeout=60)
+    return program.run("bed.yaml", name, {**OPTIONS, **more}, timeout=240)
 
 
 program, checks = Program(), Checks("what killed runs leave on the machine", "R1")

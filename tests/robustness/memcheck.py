@@ -18,7 +18,7 @@ MEMCHECK = ["valgrind", "--error-exitcode=9", "--num-callers=40", "--leak-check=
 def under_memcheck(name, options):
     words = [*MEMCHECK, f"--suppressions={program.here / 'memcheck.supp'}",
              *program.command(CASE, {"output_dir": program.work / "out", **TINY, **options})]
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=280,
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=1200,
                              env={**os.environ, "OMPI_MCA_btl_vader_single_copy_mechanism": "none"})
     (program.work / f"{name}.log").write_text(process.stderr)
     return Run(program.work / "out", process)

@@ -23,7 +23,7 @@ for start in (1e-12, 0):
         name = f"column at rest, T {start:g} m2/s2, {floors_of(floors)}"
         options = {**DIRECT, **floors, "gas": "none", "granular_temperature": "transport", "end_time": 2, "time_step_initial": 0.1,
                    "initial_fill_granular_temperature": start, "initial_everywhere_granular_temperature": start}
-        run = attempt(program, "long_rest.yaml", f"rest_{start:g}_{directory_of(floors)}", options, timeout=60)
+        run = attempt(program, "long_rest.yaml", f"rest_{start:g}_{directory_of(floors)}", options, timeout=240)
         checks.true(f"{name}: reaches its end", run)
         if run:
             monitor = run.monitor
@@ -41,7 +41,7 @@ for friction in ("critical_state", "relaxed"):
             name = f"{friction}, released, T {start:g} m2/s2, {floors_of(floors)}"
             options = {"solver": "direct", "friction_model": friction, **floors,
                        "initial_everywhere_granular_temperature": start}
-            run = attempt(program, "cold_bed.yaml", f"{friction}_{start:g}_{directory_of(floors)}", options, timeout=120)
+            run = attempt(program, "cold_bed.yaml", f"{friction}_{start:g}_{directory_of(floors)}", options, timeout=480)
             checks.true(f"{name}: reaches its end", run)
             if not run:
                 break

@@ -12,7 +12,7 @@ for gas in ("incompressible", "darcy"):
         name = f"{gas}, {steps}, T {T}"
         choice = COOLING if T == "cooling" else FROZEN[steps]
         run = program.run("long_rest.yaml", f"{gas}_{steps}_{T}".replace(" ", "_"), {**DIRECT, **choice, "gas": gas},
-                          must_work=False, timeout=60)
+                          must_work=False, timeout=240)
         checks.equal(f"{name}: exit code", run.code, 0)
         if run.code:
             continue

@@ -11,7 +11,7 @@ def attempt(program, case, name, options, timeout):
     return run if run.code == 0 else None
 
 
-def largest_step(program, case, name, options, steps, good, timeout=60):
+def largest_step(program, case, name, options, steps, good, timeout=240):
     """Runs `case` with each of the ascending `steps` [s] until one fails: the program ends with an error, cuts a step, or
     good(run) is false. Returns (largest that works, its run), or (None, None)."""
     best = (None, None)

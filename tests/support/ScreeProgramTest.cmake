@@ -15,7 +15,7 @@ function(scree_program_test label name)
     set(ARG_RANKS 1 2)
   endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
+    set(ARG_TIMEOUT 1500)  # a machine three times slower would not miss it
   endif()
   foreach(ranks ${ARG_RANKS})
     set(suffix "")

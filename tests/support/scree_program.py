@@ -73,7 +73,7 @@ class Program:
                 words += ["-" + key] + ([] if item is None else [str(item)])
         return words
 
-    def run(self, case, name, options=None, ranks=None, must_work=True, timeout=300):
+    def run(self, case, name, options=None, ranks=None, must_work=True, timeout=1200):
         """Runs a case into the directory `name`; anything but success is the end of the test unless must_work is off."""
         directory = self.work / name
         options = {"output_dir": directory, **(options or {})}

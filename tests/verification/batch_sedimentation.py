@@ -76,7 +76,7 @@ for gas in ("darcy",):  # incompressible may take 1e5 steps to the same end: the
     options = {**DIRECT, "gas": gas, "initial_everywhere_solids_fraction": .3, "grid_cells": 100, "gas_viscosity": 1e-3,
                "time_step_adaptive": "yes", "time_step_initial": 1e-3, "time_step_max": 100, "end_time": 1e4,
                "output_interval": 0}
-    run = program.run("batch_sedimentation.yaml", f"sediment_{gas}", options, timeout=60)
+    run = program.run("batch_sedimentation.yaml", f"sediment_{gas}", options, timeout=240)
     nu, dx = run.fields["solids_fraction"], LENGTH / 100
     weight = BUOYANT * (np.cumsum((nu * dx)[::-1])[::-1] - 0.5 * nu * dx)
     # The face between the last, partly filled cell and the void falls for ever, see column_at_rest.py: gas carries it.

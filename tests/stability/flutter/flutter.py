@@ -29,7 +29,7 @@ def taken(option):
 def growth(*options, name=""):
     """The two tables of flutter_growth, as rows with numbers where they are numbers."""
     files = [program.work / f"{name}{table}.csv" for table in ("rates", "steps")]
-    subprocess.run([tool, "-rates", files[0], "-steps", files[1], *options], check=True, timeout=120)
+    subprocess.run([tool, "-rates", files[0], "-steps", files[1], *options], check=True, timeout=480)
     tables = []
     for file in files:
         with open(file, newline="") as stream:
