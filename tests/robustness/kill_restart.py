@@ -19,7 +19,7 @@ from scree_program import Checks, Program, Run
 CASE = "bed.yaml"
 OPTIONS = {"checkpoint_interval": 0.004, "output_interval": 0.02}
 COSTS = ("cpu_seconds", "cpu_residual", "cpu_jacobian", "cpu_setup", "cpu_solve")  # of this process, so not the same
-PATIENCE = 60  # seconds in which mpirun has to end the other ranks
+PATIENCE = 240  # seconds in which mpirun has to end the other ranks
 
 
 def ranks_of(process):
