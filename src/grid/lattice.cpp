@@ -82,8 +82,8 @@ namespace {
   if (most == 0)
     throw std::runtime_error("a grid of " + cells + " cells: expected at least " + width + " along a periodic axis");
   throw std::runtime_error("a grid of " + cells + " cells on " + std::to_string(ranks) + " ranks: expected at most " +
-                           std::to_string(most) + " ranks, or a number that splits into " + width +
-                           " cells or more along each axis");
+                           std::to_string(most) + ", each with " + width +
+                           " nodes or more along an axis that is shared");
 }
 
 /// Has `dm` split over the ranks in a way that works. PETSc would find out for each rank alone whether its part is wide

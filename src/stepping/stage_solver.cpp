@@ -72,6 +72,11 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   SNESConvergedReason reason;
   PetscInt iterations, krylov;
   Vec right_side, residual;
+  void* asked_by;  // TSARKIMEX finds its first slope with a TS of its own, of other stages, which does not count
+  PetscCall(SNESGetFunction(shell, nullptr, nullptr, &asked_by));
+  const bool counts = asked_by == self.ts_;
+  if (counts && self.found_slope_) PetscCall(self.renew_preconditioner());
+  self.found_slope_ = !counts;
   PetscCall(SNESGetRhs(shell, &right_side));
   PetscCall(SNESGetConvergedReason(self.newton_, &reason));
   PetscCall(SNESSetUp(self.newton_));
@@ -81,9 +86,7 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscCall(SNESGetConvergedReason(self.newton_, &reason));
   PetscCall(SNESGetIterationNumber(self.newton_, &iterations));
   PetscCall(SNESGetLinearSolveIterations(self.newton_, &krylov));
-  void* asked_by;  // TSARKIMEX finds its first slope with a TS of its own, which does not count
-  PetscCall(SNESGetFunction(shell, nullptr, nullptr, &asked_by));
-  if (asked_by == self.ts_) {
+  if (counts) {
     self.count_.newton += static_cast<int>(iterations);
     self.count_.krylov += static_cast<int>(krylov);
   }

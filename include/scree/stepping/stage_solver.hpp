@@ -91,6 +91,7 @@ class StageSolver {
   Stage stage_;                             ///< as TS has asked for it last
   SolveCount count_;
   VolumeImbalance imbalance_;
+  bool found_slope_ = false;                ///< the last stage was one of TSARKIMEX's first slope
   bool keeps_jacobian_ = false;             ///< in this iteration
   PetscBool tests_jacobian_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
 };
