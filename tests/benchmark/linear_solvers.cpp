@@ -94,7 +94,7 @@ Between between(const Axis& axis, bool on_faces, double position) {
 class CoarseState {
  public:
   CoarseState(const std::string& directory, const Box& box, const DiscreteProblem& fine) {
-    const auto [unknowns, width] = model_extent(box.dim, fine.setup().model, fine.setup().solids);
+    const auto [unknowns, width] = fine.setup().models.extent(box.dim, fine.setup().model, fine.setup().solids);
     check(create_dm(PETSC_COMM_SELF, box, unknowns, width, &dm_));
     const Checkpoint saved = read_checkpoint(directory, box, dm_, fine.model().fields());
     time = saved.scalar("time");

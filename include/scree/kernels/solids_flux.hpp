@@ -19,7 +19,7 @@ constexpr void add_solids_flux_inputs(StencilBuilder& s, int axis, const Index& 
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
 [[gnu::always_inline]] inline auto solids_flux(const Scene& scene, const Index& I, const Q& q, int axis,
-                                             const Index& at) {
+                                               const Index& at) {
   using Number = std::decay_t<decltype(q(L::nu))>;
   const Index e = unit(axis), face = I + at;
   const Number& v = q(L::v(axis), at);

@@ -45,7 +45,7 @@ TEST(NewtonLimits, HoldBackEachUnknownAtItsBoundAndNothingElse) {
     problem.put(values(row, row.from), from);
     problem.put(values(row, row.target), target);
     long mine = 0, all = 0;
-    check(limits.apply(from, target, 0.01, &mine));
+    check(limits.apply(from, target, false, &mine));
     MPI_Allreduce(&mine, &all, 1, MPI_LONG, MPI_SUM, PETSC_COMM_WORLD);
     const Values result = problem.get(target), expected = values(row, row.expected);
     for (std::size_t i = 0; i < result.size(); ++i)
