@@ -53,7 +53,7 @@ FILL = """initial:
 #: what: text of a case file, words that the line must have; FILE stands for its name
 FILES = {
     "tab": (BOX + TOP + FILL + "particle:\n\tdensity: 2500\n\tdiameter: 1 mm\n", ["FILE:15:", "blanks", "tab"]),
-    "open brace": (BOX + "  top: {side: y_upper, kind: open\n" + FILL, ["FILE:12:", "'}'"]),
+    "open brace": (BOX + "  top: {side: y_upper, kind: open\n" + FILL, ["FILE:11:", "'}'"]),
     "bad YAML": ("grid: {x_edges: [0, 1\n  - nonsense: : :\n", ["FILE:2:", "YAML"]),
     "open quote": (BOX + TOP + FILL + "output_dir: \"out\n", ["FILE:14:13", "quote"]),
     "UTF-16": ((BOX + TOP + FILL).encode("utf-16"), ["FILE:1:1", "UTF-8"]),
