@@ -20,11 +20,11 @@ void check_names(const std::vector<Field>& fields, const std::vector<std::string
 
 }  // namespace
 
-void check_fields(const Case& scene, const ModelFactory& models) {
-  const ProblemSetup setup = problem_setup(scene, models);
+void check_fields(const Case& the_case, const ModelFactory& models) {
+  const ProblemSetup setup = problem_setup(the_case, models);
   const std::vector<Field> fields = models.fields(setup.box.dim, setup.model, setup.solids, setup.scales);
-  for (const Probe& probe : scene.probes) check_names(fields, probe.fields, "probe_" + probe.name + "_fields");
-  for (const Line& line : scene.lines) check_names(fields, line.fields, "line_" + line.name + "_fields");
+  for (const Probe& probe : the_case.probes) check_names(fields, probe.fields, "probe_" + probe.name + "_fields");
+  for (const Line& line : the_case.lines) check_names(fields, line.fields, "line_" + line.name + "_fields");
 }
 
 }  // namespace scree

@@ -29,13 +29,13 @@ int gravity_axis(const std::array<double, max_dim>& gravity) {
 /// Solids fraction of a region as a function of place.
 class SolidsFraction {
  public:
-  SolidsFraction(const InitialRegion& region, const Case& scene, const Lattice& grid)
+  SolidsFraction(const InitialRegion& region, const Case& the_case, const Lattice& grid)
       : region_(region), axis_(region.table_axis) {
     if (region.profile != InitialRegion::Profile::equilibrium) return;
-    axis_ = gravity_axis(scene.model.gravity);
-    const double g = scene.model.gravity[axis_];
-    column_ =
-        equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface, region.janssen_width, scene);
+    axis_ = gravity_axis(the_case.model.gravity);
+    const double g = the_case.model.gravity[axis_];
+    column_ = equilibrium_column(grid.axes[axis_], std::abs(g), g < 0 ? -1 : 1, region.surface, region.janssen_width,
+                                 the_case);
   }
   double at(const Lattice& grid, const Index& I, double uniform) const {
     if (!region_.has_own_solids_fraction()) return uniform;
@@ -68,10 +68,10 @@ bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, in
 }  // namespace
 
 std::vector<double> equilibrium_column(const Axis& axis, double gravity, int down, double surface, double janssen_width,
-                                       const Case& scene) {
-  const double buoyancy = scene.gas.model == GasModel::none ? 0 : scene.gas.rho_g;
-  const double weight = (scene.kinetic.rho_s - buoyancy) * gravity;
-  const double loss_rate = janssen_width > 0 ? 2 * std::tan(scene.wall.delta) / janssen_width : 0;
+                                       const Case& the_case) {
+  const double buoyancy = the_case.gas.model == GasModel::none ? 0 : the_case.gas.rho_g;
+  const double weight = (the_case.kinetic.rho_s - buoyancy) * gravity;
+  const double loss_rate = janssen_width > 0 ? 2 * std::tan(the_case.wall.delta) / janssen_width : 0;
   std::vector<double> nu(static_cast<std::size_t>(axis.cells()), 0.0);
   double p_above = 0, nu_above = 0;
   bool first = true;
@@ -86,21 +86,21 @@ std::vector<double> equilibrium_column(const Axis& axis, double gravity, int dow
     const double loss = 0.5 * loss_rate * distance;
     const double carried = p_above * (1 - loss) + weight * distance * (1 - own) * nu_above;
     nu_above = nu[static_cast<std::size_t>(i)] =
-        solids_fraction_under(carried, weight * distance * own, loss, scene.friction);
-    p_above = critical_pressure(nu_above, scene.friction);
+        solids_fraction_under(carried, weight * distance * own, loss, the_case.friction);
+    p_above = critical_pressure(nu_above, the_case.friction);
     first = false;
   }
   return nu;
 }
 
-void set_initial_state(const Case& scene, const DiscreteProblem& problem, Vec state) {
+void set_initial_state(const Case& the_case, const DiscreteProblem& problem, Vec state) {
   const Lattice& grid = problem.lattice();
   const Model& model = problem.model();
   double* x;
   PetscCallAbort(PETSC_COMM_SELF, VecZeroEntries(state));
   PetscCallAbort(PETSC_COMM_SELF, VecGetArray(state, &x));
-  for (const InitialRegion& region : scene.initial) {
-    const SolidsFraction solids_fraction(region, scene, grid);
+  for (const InitialRegion& region : the_case.initial) {
+    const SolidsFraction solids_fraction(region, the_case, grid);
     for (const Field& field : model.fields()) {
       const InitialValue* given = region.find(*field.unknown);
       if (!given && !(field.is<SolidsContinuity>() && region.has_own_solids_fraction())) continue;

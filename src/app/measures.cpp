@@ -19,15 +19,15 @@ double reduced(double value, MPI_Op operation, DM dm) {
 
 }  // namespace
 
-Measures::Measures(const Case& scene, const DiscreteProblem& problem)
-    : scene_(scene),
+Measures::Measures(const Case& the_case, const DiscreteProblem& problem)
+    : case_(the_case),
       problem_(problem),
       with_gas_(problem.model().component<GasContinuity>() >= 0),
       has_gas_velocity_(problem.model().component<GasMomentum>() >= 0),
       derived_(derived_fields(problem.setup().model, problem.setup().solids)) {
   const double missing =
-      std::pow(scene.output.depth, max_dim - scene.box.dim);  // extent of the axes that are not there
-  mass_per_volume_ = scene.kinetic.rho_s * missing * scene.output.mirror;
+      std::pow(the_case.output.depth, max_dim - the_case.box.dim);  // extent of the axes that are not there
+  mass_per_volume_ = the_case.kinetic.rho_s * missing * the_case.output.mirror;
   for (const Field& field : problem.model().fields())
     if (field.is<GranularEnergy>()) T_ = field.component;
 }
@@ -40,7 +40,7 @@ std::vector<Quantity> Measures::quantities(double time, Vec state) const {
   const auto flux = [&](Phase phase, auto&& through) {
     double value;
     check_petsc(through(phase, &value), "flux");
-    return value * mass_per_volume_ / (phase == Phase::gas ? scene_.kinetic.rho_s : 1);
+    return value * mass_per_volume_ / (phase == Phase::gas ? case_.kinetic.rho_s : 1);
   };
   const std::vector<CellField> derived = state ? derived_cells(problem_, state) : std::vector<CellField>();
   const Motion moving = state ? motion(state, derived) : Motion();
@@ -77,7 +77,7 @@ std::vector<Quantity> Measures::quantities(double time, Vec state) const {
     if (field.face_axis < 0) add_range(field, [&] { return range(state, field); });
   for (const Field& field : derived_)
     add_range(field, [&] { return range(derived[static_cast<std::size_t>(field.component)]); });
-  for (const FluxPlane& plane : scene_.flux_planes) {
+  for (const FluxPlane& plane : case_.flux_planes) {
     const auto through = [&](Phase phase, double* value) {
       return problem_.plane_flux(time, state, phase, plane.axis, plane.position, plane.patch, value);
     };
@@ -91,7 +91,7 @@ std::vector<Quantity> Measures::quantities(double time, Vec state) const {
   return list;
 }
 
-bool Measures::has_temperature() const { return T_ >= 0 || scene_.model.temperature == TemperatureModel::algebraic; }
+bool Measures::has_temperature() const { return T_ >= 0 || case_.model.temperature == TemperatureModel::algebraic; }
 
 Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& derived) const {
   const Lattice& grid = problem_.lattice();
@@ -120,8 +120,8 @@ Measures::Motion Measures::motion(Vec state, const std::vector<CellField>& deriv
       T_cell = derived[static_cast<std::size_t>(T - entries.begin())].values[static_cast<std::size_t>(grid.owned(I))];
     sums[0] += grid.volume(I) * 0.5 * nu * v_squared;
     sums[1] += grid.volume(I) * 1.5 * nu * T_cell;
-    greatest[0] = std::max(greatest[0], nu * v_squared / scene_.kinetic.nu_max);
-    greatest[1] = std::max(greatest[1], nu * T_cell / scene_.kinetic.nu_max);
+    greatest[0] = std::max(greatest[0], nu * v_squared / case_.kinetic.nu_max);
+    greatest[1] = std::max(greatest[1], nu * T_cell / case_.kinetic.nu_max);
   });
   check_petsc(u.close(), "energies");
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm()));
@@ -173,14 +173,14 @@ double Measures::greatest_speed(Vec state, const Unknown& velocity) const {
 
 /// Mean over the columns of the highest place, against gravity, where nu falls through bed_solids_fraction.
 double Measures::bed_height(Vec state) const {
-  const auto& g = scene_.model.gravity;
+  const auto& g = case_.model.gravity;
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const int up = static_cast<int>(std::max_element(g.begin(), g.end(), by_size) - g.begin());
-  if (g[up] == 0 || up >= scene_.box.dim) return 0;
+  if (g[up] == 0 || up >= case_.box.dim) return 0;
   const int sign = g[up] < 0 ? 1 : -1;
   const Lattice& grid = problem_.lattice();
   const Axis& vertical = grid.axes[up];
-  const double mark = scene_.output.bed_solids_fraction;
+  const double mark = case_.output.bed_solids_fraction;
 
   std::array<int, max_dim> extent{1, 1, 1};
   for (int a = 0; a < grid.dim; ++a)

@@ -33,20 +33,20 @@ void print(const std::string& text) {
 }
 
 /// Under -check: the case as understood, a YAML file that runs it.
-void print_case(const Case& scene) {
-  for (const std::string& remark : scene.remarks) print("# " + remark + "\n");
-  print(scene.effective_yaml);
+void print_case(const Case& the_case) {
+  for (const std::string& remark : the_case.remarks) print("# " + remark + "\n");
+  print(the_case.effective_yaml);
 }
 
 void run_case(const char* program, const CaseInput& input, const Parts& parts) {
-  const Case scene = read_case(input, parts.catalogue);
-  const PetscSession petsc(program, scene.petsc_options);
+  const Case the_case = read_case(input, parts.catalogue);
+  const PetscSession petsc(program, the_case.petsc_options);
   petsc.check_options();
-  check_fields(scene, parts.models);
-  if (scene.check_only) return print_case(scene);
+  check_fields(the_case, parts.models);
+  if (the_case.check_only) return print_case(the_case);
   Progress log(PETSC_COMM_WORLD);
-  for (const std::string& remark : scene.remarks) log.remark("%s", remark.c_str());
-  Simulation(PETSC_COMM_WORLD, scene, parts.models, log).run();
+  for (const std::string& remark : the_case.remarks) log.remark("%s", remark.c_str());
+  Simulation(PETSC_COMM_WORLD, the_case, parts.models, log).run();
   for (const std::string& key : petsc.unused()) log.remark("%s is not used: PETSc has not asked for it", key.c_str());
 }
 

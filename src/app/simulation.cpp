@@ -18,55 +18,56 @@ namespace scree {
 
 namespace {
 
-PresetTrial::Rule trial_rule(const Case& scene) {
-  if (scene.gas.model == GasModel::none) return PresetTrial::without_gas;
-  return scene.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction : PresetTrial::with_gas;
+PresetTrial::Rule trial_rule(const Case& the_case) {
+  if (the_case.gas.model == GasModel::none) return PresetTrial::without_gas;
+  return the_case.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction
+                                                        : PresetTrial::with_gas;
 }
 
 }  // namespace
 
-StepControl Simulation::step_control(const Case& scene) {
-  const TimeParameters& t = scene.time;
-  return {t.scheme, {t.step_initial, t.step_min, t.step_max, t.adaptive}, t.accuracy, scene.solver.extrapolate};
+StepControl Simulation::step_control(const Case& the_case) {
+  const TimeParameters& t = the_case.time;
+  return {t.scheme, {t.step_initial, t.step_min, t.step_max, t.adaptive}, t.accuracy, the_case.solver.extrapolate};
 }
 
-Simulation::Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& models, Progress& log)
+Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& models, Progress& log)
     : comm_(comm),
-      scene_(scene),
+      case_(the_case),
       log_(log),
-      problem_(problem_setup(scene, models)),
+      problem_(problem_setup(the_case, models)),
       clock_(comm),
-      trial_(trial_rule(scene)) {
+      trial_(trial_rule(the_case)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
   print_solver();
-  stepper_ = std::make_unique<TimeStepper>(problem_, step_control(scene_));
+  stepper_ = std::make_unique<TimeStepper>(problem_, step_control(case_));
   check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
-  measures_ = std::make_unique<Measures>(scene_, problem_);
+  measures_ = std::make_unique<Measures>(case_, problem_);
 
-  probes_ = std::make_unique<ProbeSet>(scene_.box, problem_.dm(), problem_.model().fields(), scene_.probes);
-  lines_ = std::make_unique<LineSampler>(scene_.box, problem_.dm(), problem_.model().fields(), scene_.lines);
+  probes_ = std::make_unique<ProbeSet>(case_.box, problem_.dm(), problem_.model().fields(), case_.probes);
+  lines_ = std::make_unique<LineSampler>(case_.box, problem_.dm(), problem_.model().fields(), case_.lines);
 
-  if (std::isfinite(scene_.output.average_from))
-    average_ = std::make_unique<TimeAverage>(problem_.dm(), scene_.output.average_from);
+  if (std::isfinite(case_.output.average_from))
+    average_ = std::make_unique<TimeAverage>(problem_.dm(), case_.output.average_from);
 
-  if (scene_.output.restart.empty())
+  if (case_.output.restart.empty())
     start_new();
   else
     restart();
 }
 
 SolverPreset Simulation::preset() const {
-  return !scene_.solver.preset_given && trial_.multigrid() ? SolverPreset::multigrid : scene_.solver.preset;
+  return !case_.solver.preset_given && trial_.multigrid() ? SolverPreset::multigrid : case_.solver.preset;
 }
 
-int Simulation::fill() const { return scene_.solver.preset_given ? 0 : trial_.fill(); }
+int Simulation::fill() const { return case_.solver.preset_given ? 0 : trial_.fill(); }
 
 PetscOptionList Simulation::solver_options() const {
   return preset_options(preset(), problem_.model().unknowns(), problem_.model().component<GasContinuity>(), fill());
 }
 
 void Simulation::print_solver() const {
-  if (!scene_.solver.view) return;
+  if (!case_.solver.view) return;
   std::string options;
   for (const auto& [name, value] : solver_options()) options += " -" + name + ' ' + value;
   log_.remark("solver preset %s:%s", name_of(preset()), options.c_str());
@@ -74,7 +75,7 @@ void Simulation::print_solver() const {
 
 /// See PresetTrial.
 void Simulation::reconsider_preset(const StepReport& report) {
-  if (scene_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
+  if (case_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
   print_solver();
   check_petsc(stepper_->change_preconditioner(solver_options()), "solver preset");
   log_.remark("time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on", stepper_->time(),
@@ -82,7 +83,7 @@ void Simulation::reconsider_preset(const StepReport& report) {
 }
 
 void Simulation::start_new() {
-  set_initial_state(scene_, problem_, stepper_->state());
+  set_initial_state(case_, problem_, stepper_->state());
   make_gas_consistent();
   check_petsc(problem_.solids_volume(stepper_->state(), &totals_.initial_volume), "solids volume");
   open_outputs(std::nullopt);
@@ -93,17 +94,17 @@ void Simulation::start_new() {
 /// p_g and u that belong to the rest of the state and to the conditions of this time.
 void Simulation::make_gas_consistent() {
   bool done;
-  check_petsc(scree::make_gas_consistent(problem_, step_control(scene_), solver_options(), stepper_->time(),
+  check_petsc(scree::make_gas_consistent(problem_, step_control(case_), solver_options(), stepper_->time(),
                                          stepper_->state(), &done),
               "consistent gas");
   if (!done) log_.remark("no consistent gas pressure found at t = %g s: it starts as it is", stepper_->time());
 }
 
 void Simulation::restart() {
-  const Checkpoint saved = read_checkpoint(scene_.output.restart, scene_.box, problem_.dm(), problem_.model().fields());
+  const Checkpoint saved = read_checkpoint(case_.output.restart, case_.box, problem_.dm(), problem_.model().fields());
   if (!saved.remark.empty()) log_.remark("%s", saved.remark.c_str());
   const double time = saved.scalar("time");
-  if (time > scene_.time.end_time * (1 + 1e-12))  // at the end: a run that was cut off while it finished
+  if (time > case_.time.end_time * (1 + 1e-12))  // at the end: a run that was cut off while it finished
     throw std::runtime_error("restart: " + saved.file + " is at " + std::to_string(time) +
                              " s already; give an end_time beyond it");
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
@@ -126,24 +127,23 @@ void Simulation::restore_average(const Checkpoint& saved) {
   if (saved.has("average")) {
     check_petsc(VecCopy(saved.vector("average"), average_->sum()), "restart");
     restore_members(saved, "", *average_);
-  } else if (saved.scalar("time") > scene_.output.average_from) {
+  } else if (saved.scalar("time") > case_.output.average_from) {
     log_.remark("output_average_from: %s holds no averages, they begin at its time", saved.file.c_str());
   }
 }
 
 void Simulation::open_outputs(std::optional<double> restart_time) {
-  const std::string& directory = scene_.output.directory;
-  prepare_directory(comm_, directory, scene_.output.restart, scene_.output.overwrite);
+  const std::string& directory = case_.output.directory;
+  prepare_directory(comm_, directory, case_.output.restart, case_.output.overwrite);
   std::vector<Column> columns;
   for (const Quantity& quantity : monitor_row(nullptr)) columns.push_back(quantity.column);
   monitor_ = std::make_unique<MonitorFile>(comm_, directory + "/monitor.csv", columns, restart_time);
-  on_first_rank(comm_, [&] { write_text_atomically(directory + "/case.yaml", scene_.effective_yaml); });
-  fields_ =
-      std::make_unique<FieldWriter>(directory, scene_.box, problem_.dm(), problem_.model().fields(), restart_time);
-  stop_ = std::make_unique<StopRequest>(comm_, scene_.output.wall_clock_budget);
+  on_first_rank(comm_, [&] { write_text_atomically(directory + "/case.yaml", case_.effective_yaml); });
+  fields_ = std::make_unique<FieldWriter>(directory, case_.box, problem_.dm(), problem_.model().fields(), restart_time);
+  stop_ = std::make_unique<StopRequest>(comm_, case_.output.wall_clock_budget);
   clock_.start_phases();
-  field_times_ = OutputTimes(scene_.output.field_interval, stepper_->time());
-  checkpoint_times_ = OutputTimes(scene_.output.checkpoint_interval, stepper_->time());
+  field_times_ = OutputTimes(case_.output.field_interval, stepper_->time());
+  checkpoint_times_ = OutputTimes(case_.output.checkpoint_interval, stepper_->time());
 }
 
 /// The next start or end of a time window, infinite if there is none.
@@ -152,7 +152,7 @@ double Simulation::next_window() const {
   const auto consider = [&](double time) {
     if (time > stepper_->time() * (1 + 1e-12)) next = std::min(next, time);
   };
-  for (const Segment& segment : scene_.segments) {
+  for (const Segment& segment : case_.segments) {
     consider(segment.condition.from);
     consider(segment.condition.until);
   }
@@ -162,7 +162,7 @@ double Simulation::next_window() const {
 /// The time that the next step must not pass.
 double Simulation::next_limit() const {
   const double window = next_window();
-  const double next = std::min({scene_.time.end_time, window, field_times_.next(), checkpoint_times_.next()});
+  const double next = std::min({case_.time.end_time, window, field_times_.next(), checkpoint_times_.next()});
   return window <= next * (1 + 1e-12) ? window : next;  // what differs by rounding waits for the window
 }
 
@@ -182,9 +182,9 @@ void Simulation::enter_window() {
 }
 
 void Simulation::run() {
-  log_.begin(stepper_->time(), scene_.time.end_time);
+  log_.begin(stepper_->time(), case_.time.end_time);
   std::string end = "end_time";
-  while (stepper_->time() < scene_.time.end_time * (1 - 1e-12)) {
+  while (stepper_->time() < case_.time.end_time * (1 - 1e-12)) {
     if (stop_->requested()) {
       end = stop_->reason();
       break;
@@ -199,12 +199,12 @@ void Simulation::run() {
       std::snprintf(what, sizeof what,
                     "no step of at least time_step_min = %g s works at t = %g s (%s); the checkpoint "
                     "holds the last good state",
-                    scene_.time.step_min, stepper_->time(), report.reason.c_str());
+                    case_.time.step_min, stepper_->time(), report.reason.c_str());
       throw std::runtime_error(what);
     }
     account(report);
     reconsider_preset(report);
-    if (stepper_->time() >= window && window < scene_.time.end_time) enter_window();
+    if (stepper_->time() >= window && window < case_.time.end_time) enter_window();
     if (monitor_due()) append_monitor(report);
     if (field_times_.due(stepper_->time())) write_fields();
     if (checkpoint_times_.due(stepper_->time())) write_checkpoint();
@@ -219,8 +219,8 @@ void Simulation::run() {
 /// At every so many steps, and where fields are written.
 bool Simulation::monitor_due() const {
   const double time = stepper_->time();
-  return static_cast<long>(totals_.steps) % scene_.output.monitor_every == 0 || field_times_.due(time) ||
-         time >= scene_.time.end_time * (1 - 1e-12);
+  return static_cast<long>(totals_.steps) % case_.output.monitor_every == 0 || field_times_.due(time) ||
+         time >= case_.time.end_time * (1 - 1e-12);
 }
 
 void Simulation::account(const StepReport& report) {
@@ -245,7 +245,7 @@ double Simulation::mass_error() const {
 /// Sum of what the gas lost or gained, over the volume it had.
 double Simulation::gas_volume_error() const {
   double box = 1;
-  for (int axis = 0; axis < scene_.box.dim; ++axis) box *= scene_.box.upper(axis) - scene_.box.lower(axis);
+  for (int axis = 0; axis < case_.box.dim; ++axis) box *= case_.box.upper(axis) - case_.box.lower(axis);
   return totals_.gas_imbalance / (box - totals_.initial_volume);
 }
 
@@ -272,7 +272,7 @@ std::vector<Quantity> Simulation::monitor_row(const StepReport* report) const {
       {{"cpu_setup", "s", "of it, since the first step: set-up of preconditioners"}, cpu.setup},
       {{"cpu_solve", "s", "of it, since the first step: the rest of Newton's method, mainly Krylov iterations"},
        cpu.solve}};
-  if (scene_.gas.model != GasModel::none)
+  if (case_.gas.model != GasModel::none)
     row.push_back({{"gas_volume_error", "1", "volume of gas lost or gained since the start, over that at the start"},
                    gas_volume_error()});
   for (const Quantity& quantity : measures_->quantities(stepper_->time(), report ? stepper_->state() : nullptr))
@@ -292,7 +292,7 @@ void Simulation::append_monitor(const StepReport& report) {
 void Simulation::write_fields() {
   const int index = fields_->write(stepper_->time(), stepper_->state(), derived_cells(problem_, stepper_->state()),
                                    average_ && !average_->empty() ? average_->mean() : nullptr);
-  lines_->write(scene_.output.directory, index, stepper_->time(), stepper_->state());
+  lines_->write(case_.output.directory, index, stepper_->time(), stepper_->state());
   field_times_.pass(stepper_->time());
 }
 
@@ -306,8 +306,8 @@ void Simulation::write_checkpoint() {
     store_members(*average_, "", scalars);
     vectors.push_back({"average", average_->sum()});
   }
-  scree::write_checkpoint(scene_.output.directory, static_cast<int>(totals_.steps), scene_.box, problem_.dm(),
-                          problem_.model().fields(), vectors, scalars, {{"case", scene_.effective_yaml}});
+  scree::write_checkpoint(case_.output.directory, static_cast<int>(totals_.steps), case_.box, problem_.dm(),
+                          problem_.model().fields(), vectors, scalars, {{"case", case_.effective_yaml}});
   checkpoint_times_.pass(stepper_->time());
   check_petsc(stepper_->forget_preconditioner(), "checkpoint");
 }
@@ -315,7 +315,7 @@ void Simulation::write_checkpoint() {
 void Simulation::write_summary(const std::string& end) {
   int ranks, cells = 1;
   MPI_Comm_size(comm_, &ranks);
-  for (int axis = 0; axis < scene_.box.dim; ++axis) cells *= scene_.box.cells(axis);
+  for (int axis = 0; axis < case_.box.dim; ++axis) cells *= case_.box.cells(axis);
   const PhaseSeconds cpu = clock_.read();
 
   Summary summary;
@@ -324,7 +324,7 @@ void Simulation::write_summary(const std::string& end) {
   for (const Quantity& quantity : measures_->quantities(stepper_->time(), stepper_->state()))
     summary["quantities"][quantity.column.name] = quantity.value;
   summary["quantities"]["mass_error"] = mass_error();
-  if (scene_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();
+  if (case_.gas.model != GasModel::none) summary["quantities"]["gas_volume_error"] = gas_volume_error();
   summary["cells"] = cells;
   summary["unknowns_per_cell"] = problem_.model().unknowns();
   for (const Field& field : problem_.model().fields()) summary["unknowns"].push_back(column_name(field));
@@ -349,7 +349,7 @@ void Simulation::write_summary(const std::string& end) {
   summary["versions"] = {{"scree", SCREE_VERSION}, {"petsc", version}};
   for (const auto& [column, value] : monitor_row(nullptr))
     summary["monitor_columns"][column.name] = {{"unit", column.unit}, {"text", column.text}};
-  scree::write_summary(comm_, scene_.output.directory + "/summary.json", summary);
+  scree::write_summary(comm_, case_.output.directory + "/summary.json", summary);
 }
 
 }  // namespace scree

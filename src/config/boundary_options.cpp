@@ -4,9 +4,9 @@ namespace scree {
 namespace {
 
 /// Kinds by name; of plates, the walls alone.
-OptionSet::Choices<BoundaryKind> kind_choices(const Case& scene, bool walls_alone) {
+OptionSet::Choices<BoundaryKind> kind_choices(const Case& the_case, bool walls_alone) {
   OptionSet::Choices<BoundaryKind> choices;
-  for (const BoundaryKind* kind : scene.catalogue.boundary_kinds())
+  for (const BoundaryKind* kind : the_case.catalogue.boundary_kinds())
     if (kind->is_wall() || !walls_alone) choices.push_back({std::string(kind->name), *kind});
   return choices;
 }
@@ -54,15 +54,15 @@ void declare_wall_values(OptionSet& o, const std::string& key, bool used, WallPa
       .used_if(used, other_kind);
 }
 
-void declare_inlet_values(OptionSet& o, const std::string& key, const Case& scene, Condition& condition) {
+void declare_inlet_values(OptionSet& o, const std::string& key, const Case& the_case, Condition& condition) {
   const bool inlet = condition.kind.brings_solids();
-  for (const Unknown* unknown : scene.catalogue.unknowns()) {
+  for (const Unknown* unknown : the_case.catalogue.unknowns()) {
     const GivenValue& given = unknown->inlet;
     if (!given.text) continue;
-    const std::string absent = absence(scene, *unknown);
+    const std::string absent = absence(the_case, *unknown);
     double value = given.otherwise;
     OptionEntry& option =
-        o.real(key + unknown->dataset, value, option_unit(*unknown), range_of(given.allowed, scene), given.text)
+        o.real(key + unknown->dataset, value, option_unit(*unknown), range_of(given.allowed, the_case), given.text)
             .symbol(unknown->symbol)
             .used_if(inlet, "its kind is not inlet")
             .used_if(absent.empty(), absent);
@@ -71,16 +71,16 @@ void declare_inlet_values(OptionSet& o, const std::string& key, const Case& scen
   }
 }
 
-void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
+void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case,
                      Ordered<Segment>& entry) {
   Segment& segment = entry.item;
   Condition& condition = segment.condition;
-  condition.wall = scene.wall;
+  condition.wall = the_case.wall;
   int side = 0;
   o.choice(key + "side", side, side_choices(o, grid.dim), "side of the box").required();
   segment.axis = side / 2;
   segment.upper = side % 2 == 1;
-  o.choice(key + "kind", condition.kind, kind_choices(scene, false), "what happens there, see the table of kinds")
+  o.choice(key + "kind", condition.kind, kind_choices(the_case, false), "what happens there, see the table of kinds")
       .required();
   segment.patch = patch_from(
       declare_patches(o, key + "patch", grid.dim, false, "the whole side", "part of the side, on grid planes"),
@@ -92,17 +92,17 @@ void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid
       .used_if(moves, "its kind has no velocity");
   if (!moves) condition.velocity.fill(0);
   declare_wall_values(o, key, has_wall_law(condition), condition.wall);
-  declare_inlet_values(o, key, scene, condition);
-  declare_gas_side(o, key, grid.dim, scene, segment);
+  declare_inlet_values(o, key, the_case, condition);
+  declare_gas_side(o, key, grid.dim, the_case, segment);
   o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
   o.real(key + "until", condition.until, "s", any_number(), "end of its time window").unset_by_default("always");
 }
 
-void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene, Plate& plate) {
-  plate.condition.wall = scene.wall;
+void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case, Plate& plate) {
+  plate.condition.wall = the_case.wall;
   o.choice(key + "axis", plate.axis, axis_choices(o, grid.dim), "axis normal to the plate").required();
   o.real(key + "position", plate.position, "m", any_number(), "coordinate along that axis, on a grid plane").required();
-  o.choice(key + "kind", plate.condition.kind, kind_choices(scene, true), "wall law on both sides");
+  o.choice(key + "kind", plate.condition.kind, kind_choices(the_case, true), "wall law on both sides");
   plate.span = patch_from(declare_patches(o, key + "span", grid.dim, false, "everywhere", "extent, on grid planes"),
                           plate.axis, grid.dim);
   const std::vector<double> openings =
@@ -111,23 +111,23 @@ void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, 
     plate.openings.push_back(patch_from(openings, plate.axis, grid.dim, first));
   o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s", "of the wall, in its plane").symbol("v");
   declare_wall_values(o, key, has_wall_law(plate.condition), plate.condition.wall);
-  declare_gas_wall(o, key, scene, plate.condition);
+  declare_gas_wall(o, key, the_case, plate.condition);
 }
 
 }  // namespace
 
-std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene) {
+std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& the_case) {
   return in_order(o.named<Ordered<Segment>>(
       "boundary", [&](OptionSet& set, const std::string& key, const std::string& name, Ordered<Segment>& entry) {
         entry.item.condition.name = name;
-        declare_segment(set, key, grid, scene, entry);
+        declare_segment(set, key, grid, the_case, entry);
       }));
 }
 
-std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene) {
+std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& the_case) {
   return o.named<Plate>("plate", [&](OptionSet& set, const std::string& key, const std::string& name, Plate& plate) {
     plate.condition.name = name;
-    declare_plate(set, key, grid, scene, plate);
+    declare_plate(set, key, grid, the_case, plate);
   });
 }
 

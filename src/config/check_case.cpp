@@ -43,9 +43,9 @@ void check_covered(const Box& box, int axis, bool upper, const std::vector<Segme
   }
 }
 
-void check_boundaries(const Case& scene) {
-  const Box& box = scene.box;
-  for (const Segment& segment : scene.segments) {
+void check_boundaries(const Case& the_case) {
+  const Box& box = the_case.box;
+  for (const Segment& segment : the_case.segments) {
     const std::string key = "boundary_" + segment.condition.name;
     if (box.periodic[segment.axis])
       throw InputError(key + "_side", side_name(segment.axis, segment.upper), "a side of an axis that is not periodic");
@@ -56,27 +56,27 @@ void check_boundaries(const Case& scene) {
   for (int axis = 0; axis < box.dim; ++axis) {
     for (const bool upper : {false, true}) {
       if (box.periodic[axis]) continue;
-      check_covered(box, axis, upper, segments_of_side(scene.segments, axis, upper), scene.time.end_time);
+      check_covered(box, axis, upper, segments_of_side(the_case.segments, axis, upper), the_case.time.end_time);
     }
   }
 }
 
-void check_plates(const Case& scene) {
-  for (const Plate& plate : scene.plates) {
+void check_plates(const Case& the_case) {
+  for (const Plate& plate : the_case.plates) {
     const std::string key = "plate_" + plate.condition.name + "_";
-    const double lower = scene.box.lower(plate.axis), upper = scene.box.upper(plate.axis);
+    const double lower = the_case.box.lower(plate.axis), upper = the_case.box.upper(plate.axis);
     if (!(plate.position > lower && plate.position < upper))
       throw InputError(key + "position", number_text(plate.position) + " m",
                        "a grid plane inside the box, between " + number_text(lower) + " and " + number_text(upper) +
                            " m; use boundary_<name> for its sides");
     if (plate.condition.velocity[plate.axis] != 0)
-      throw InputError(key + "velocity", point_text(plate.condition.velocity, scene.box.dim),
+      throw InputError(key + "velocity", point_text(plate.condition.velocity, the_case.box.dim),
                        "a velocity in the plane of the plate");
   }
 }
 
 /// The file of a region's table, into table_values.
-void read_table(const Case& scene, InitialRegion& region) {
+void read_table(const Case& the_case, InitialRegion& region) {
   const std::string key = "initial_" + region.name + "_table";
   const auto wrong = [&](const std::string& expected) { return InputError(key, region.table, expected); };
   std::ifstream in(region.table);
@@ -93,28 +93,28 @@ void read_table(const Case& scene, InitialRegion& region) {
     std::string more;
     if (!(numbers >> coordinate >> value) || numbers >> more) throw wrong(form + "two finite numbers each, " + got);
     if (!x.empty() && !(coordinate > x.back())) throw wrong(form + "ascending coordinates, " + got);
-    if (!(value >= 0 && value < scene.kinetic.nu_max))
-      throw wrong(form + "each in [0, solids_fraction_max = " + number_text(scene.kinetic.nu_max) + "), " + got);
+    if (!(value >= 0 && value < the_case.kinetic.nu_max))
+      throw wrong(form + "each in [0, solids_fraction_max = " + number_text(the_case.kinetic.nu_max) + "), " + got);
     x.push_back(coordinate);
     nu.push_back(value);
   }
   if (x.empty()) throw wrong(form + "at least one");
 }
 
-void check_region(const Case& scene, const InitialRegion& region) {
+void check_region(const Case& the_case, const InitialRegion& region) {
   const std::string key = "initial_" + region.name + "_";
-  for (int axis = 0; axis < scene.box.dim; ++axis) {
+  for (int axis = 0; axis < the_case.box.dim; ++axis) {
     if (!(region.lower[axis] < region.upper[axis]))
       throw InputError(key + "box", number_text(region.lower[axis]) + ", " + number_text(region.upper[axis]),
                        std::string("lower below upper, inside the box, along axis ") + axis_names[axis]);
   }
   if (region.profile != InitialRegion::Profile::equilibrium) return;
   if (!region.table.empty()) throw InputError(key + "table", region.table, "no table where profile is equilibrium");
-  const auto& g = scene.model.gravity;
+  const auto& g = the_case.model.gravity;
   if (std::count_if(g.begin(), g.end(), [](double component) { return component != 0; }) != 1)
     throw InputError(key + "profile", "equilibrium",
-                     "gravity along one axis, but gravity is " + point_text(g, scene.box.dim));
-  if (scene.friction.model == FrictionModel::none)
+                     "gravity along one axis, but gravity is " + point_text(g, the_case.box.dim));
+  if (the_case.friction.model == FrictionModel::none)
     throw InputError(key + "profile", "equilibrium",
                      "a friction_model other than none, for p_c (18) carries the column");
 }
@@ -127,10 +127,10 @@ void check_friction(const FrictionParameters& friction) {
 }
 
 /// The stencil of advection reaches over as many nodes; an axis that is not periodic has one more than cells.
-void check_cells(const Case& scene) {
-  const bool upwind = scene.model.advection == AdvectionScheme::upwind;
-  for (int axis = 0; axis < scene.box.dim; ++axis) {
-    const int least = (upwind ? 2 : 3) - (scene.box.periodic[axis] ? 0 : 1), cells = scene.box.cells(axis);
+void check_cells(const Case& the_case) {
+  const bool upwind = the_case.model.advection == AdvectionScheme::upwind;
+  for (int axis = 0; axis < the_case.box.dim; ++axis) {
+    const int least = (upwind ? 2 : 3) - (the_case.box.periodic[axis] ? 0 : 1), cells = the_case.box.cells(axis);
     if (cells < least)
       throw InputError("grid", std::to_string(cells) + (cells == 1 ? " cell" : " cells") + " along " + axis_names[axis],
                        "at least " + std::to_string(least) + " for advection " + (upwind ? "upwind" : "van_albada"));
@@ -151,33 +151,34 @@ void check_time(const TimeParameters& time) {
     throw InputError("time_step_initial", initial, "at most time_step_max = " + number_text(time.step_max) + " s");
 }
 
-void check_output(const Case& scene) {
-  for (const Probe& probe : scene.probes) check_inside(scene.box, probe.point, "probe_" + probe.name + "_point");
-  for (const Line& line : scene.lines) {
-    check_inside(scene.box, line.from, "line_" + line.name + "_from");
-    check_inside(scene.box, line.to, "line_" + line.name + "_to");
+void check_output(const Case& the_case) {
+  for (const Probe& probe : the_case.probes) check_inside(the_case.box, probe.point, "probe_" + probe.name + "_point");
+  for (const Line& line : the_case.lines) {
+    check_inside(the_case.box, line.from, "line_" + line.name + "_from");
+    check_inside(the_case.box, line.to, "line_" + line.name + "_to");
     if (line.from == line.to)
-      throw InputError("line_" + line.name + "_to", point_text(line.to, scene.box.dim), "a point other than its from");
+      throw InputError("line_" + line.name + "_to", point_text(line.to, the_case.box.dim),
+                       "a point other than its from");
   }
-  if (scene.output.directory.empty()) throw InputError("output_dir", "", "a directory");
+  if (the_case.output.directory.empty()) throw InputError("output_dir", "", "a directory");
 }
 
 }  // namespace
 
-void check_case(Case& scene) {
-  check_friction(scene.friction);
-  check_cells(scene);
-  check_lagging(scene.friction, scene.time);
-  check_time(scene.time);
-  check_boundaries(scene);
-  check_plates(scene);
-  check_gas(scene);
-  for (InitialRegion& region : scene.initial) {
-    check_region(scene, region);
-    if (!region.table.empty()) read_table(scene, region);
+void check_case(Case& the_case) {
+  check_friction(the_case.friction);
+  check_cells(the_case);
+  check_lagging(the_case.friction, the_case.time);
+  check_time(the_case.time);
+  check_boundaries(the_case);
+  check_plates(the_case);
+  check_gas(the_case);
+  for (InitialRegion& region : the_case.initial) {
+    check_region(the_case, region);
+    if (!region.table.empty()) read_table(the_case, region);
   }
-  check_ways_out(scene);
-  check_output(scene);
+  check_ways_out(the_case);
+  check_output(the_case);
 }
 
 }  // namespace scree

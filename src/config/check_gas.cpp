@@ -27,10 +27,10 @@ void check_ramp(const std::string& key, const Ramp& ramp) {
                      "ascending numbers, but " + number_text(wrong[1]) + " follows " + number_text(wrong[0]));
 }
 
-void check_condition(const Case& scene, const Segment& segment) {
+void check_condition(const Case& the_case, const Segment& segment) {
   const Condition& condition = segment.condition;
   const std::string key = "boundary_" + condition.name + "_";
-  if (condition.kind.brings_gas() && !condition.kind.brings_solids() && scene.gas.model == GasModel::none)
+  if (condition.kind.brings_gas() && !condition.kind.brings_solids() && the_case.gas.model == GasModel::none)
     throw InputError(key + "kind", std::string(condition.kind.name),
                      "gas darcy or incompressible with this kind, but gas is none");
   check_ramp(key + "gas_profile_", condition.gas_profile);
@@ -42,8 +42,8 @@ void check_condition(const Case& scene, const Segment& segment) {
 
 }  // namespace
 
-void check_gas(const Case& scene) {
-  for (const Segment& segment : scene.segments) check_condition(scene, segment);
+void check_gas(const Case& the_case) {
+  for (const Segment& segment : the_case.segments) check_condition(the_case, segment);
 }
 
 }  // namespace scree

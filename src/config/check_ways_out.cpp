@@ -41,11 +41,11 @@ void add_cuts(const Ramp& history, std::set<double>& cuts) {
 }
 
 /// Solids fraction that a place has at least from the start: profiles and tables count for nothing.
-double initial_solids(const Case& scene, const std::array<double, max_dim>& place) {
+double initial_solids(const Case& the_case, const std::array<double, max_dim>& place) {
   double nu = 0;
-  for (const InitialRegion& region : scene.initial) {
+  for (const InitialRegion& region : the_case.initial) {
     bool there = region.gives_solids_fraction();
-    for (int axis = 0; axis < scene.box.dim; ++axis)
+    for (int axis = 0; axis < the_case.box.dim; ++axis)
       there = there && place[axis] >= region.lower[axis] && place[axis] <= region.upper[axis];
     if (!there) continue;
     nu = region.has_own_solids_fraction() ? 0 : region.find(SolidsContinuity::unknown)->value[0];
@@ -67,13 +67,13 @@ std::vector<Patch> boxes_of(const std::vector<InitialRegion>& regions) {
 /// The connected parts of the box, and what bounds each in time.
 class WaysOut {
  public:
-  explicit WaysOut(const Case& scene)
-      : scene_(scene), parts_(scene.box, scene.segments, scene.plates, boxes_of(scene.initial)) {
-    for (int axis = 0; axis < scene.box.dim; ++axis) {
-      for (const bool upper : {false, true}) sides_[axis][upper] = segments_of_side(scene.segments, axis, upper);
+  explicit WaysOut(const Case& the_case)
+      : case_(the_case), parts_(the_case.box, the_case.segments, the_case.plates, boxes_of(the_case.initial)) {
+    for (int axis = 0; axis < the_case.box.dim; ++axis) {
+      for (const bool upper : {false, true}) sides_[axis][upper] = segments_of_side(the_case.segments, axis, upper);
     }
-    cuts_ = {0.0, scene.time.end_time > 0 ? scene.time.end_time : 1.0};
-    for (const Segment& segment : scene.segments) {
+    cuts_ = {0.0, the_case.time.end_time > 0 ? the_case.time.end_time : 1.0};
+    for (const Segment& segment : the_case.segments) {
       cuts_.insert({segment.condition.from, segment.condition.until});
       add_cuts(segment.condition.gas_history, cuts_);
     }
@@ -120,22 +120,20 @@ class WaysOut {
       const double room = room_in(part);
       if (!open && inlet && inflow > room * (1 + 1e-6))
         throw velocity_error(*inlet, "an open side, where particles can leave, or less of them: until " +
-                                         number_text(scene_.time.end_time) + " s they would take " +
+                                         number_text(case_.time.end_time) + " s they would take " +
                                          (room > 0 ? number_text(inflow / room, 3) + " times" : "more than") +
                                          " the room that is left" + around(part));
     }
   }
 
  private:
-  std::vector<double> times() const {
-    return middles(cuts_, 0.0, scene_.time.end_time > 0 ? scene_.time.end_time : 1.0);
-  }
+  std::vector<double> times() const { return middles(cuts_, 0.0, case_.time.end_time > 0 ? case_.time.end_time : 1.0); }
 
   std::vector<Exposed> bounds_of(int part, double time) const {
     std::vector<Exposed> found;
     for (const SideFace& face : parts_.side_faces()) {
       if (face.part != part) continue;
-      const Segment* segment = holding(sides_[face.axis][face.upper], face.centre, scene_.box.dim, time);
+      const Segment* segment = holding(sides_[face.axis][face.upper], face.centre, case_.box.dim, time);
       if (segment) found.push_back({segment, face.area});
     }
     return found;
@@ -149,7 +147,7 @@ class WaysOut {
   double room_in(int part) const {
     double room = 0;
     for (const Block& block : parts_.blocks())
-      if (block.part == part) room += block.volume * (scene_.kinetic.nu_max - initial_solids(scene_, block.centre));
+      if (block.part == part) room += block.volume * (case_.kinetic.nu_max - initial_solids(case_, block.centre));
     return room;
   }
 
@@ -157,7 +155,7 @@ class WaysOut {
   std::string around(int part) const {
     if (parts_.count() == 1) return "";
     std::string place;
-    for (int axis = 0; axis < scene_.box.dim; ++axis)
+    for (int axis = 0; axis < case_.box.dim; ++axis)
       place += (axis ? ", " : "") + number_text(places_[static_cast<std::size_t>(part)][axis], 4);
     return " in the part of the box around (" + place + ") m, which plates close off";
   }
@@ -167,7 +165,7 @@ class WaysOut {
                       number_text(segment.condition.velocity[segment.axis]) + " m/s", expected);
   }
 
-  const Case& scene_;
+  const Case& case_;
   const ConnectedParts parts_;
   std::array<std::array<std::vector<Segment>, 2>, max_dim> sides_;
   std::set<double> cuts_;
@@ -176,11 +174,11 @@ class WaysOut {
 
 }  // namespace
 
-void check_ways_out(const Case& scene) {
-  const WaysOut ways(scene);
-  if (scene.gas.model != GasModel::none)
+void check_ways_out(const Case& the_case) {
+  const WaysOut ways(the_case);
+  if (the_case.gas.model != GasModel::none)
     ways.check_gas();
-  else if (scene.model.solids_moving && scene.time.end_time > 0)
+  else if (the_case.model.solids_moving && the_case.time.end_time > 0)
     ways.check_room();
 }
 

@@ -9,24 +9,24 @@ struct Use {
   std::string otherwise;
 };
 
-Use use_of_inflow(const Case& scene, const Condition& condition) {
-  if (scene.gas.model == GasModel::none) return {false, "gas is none"};
+Use use_of_inflow(const Case& the_case, const Condition& condition) {
+  if (the_case.gas.model == GasModel::none) return {false, "gas is none"};
   return {condition.kind.brings_gas(), "its kind is neither inlet nor gas_inlet"};
 }
 
-Use use_of_pressure(const Case& scene, const Condition& condition) {
-  if (scene.gas.model == GasModel::none) return {false, "gas is none"};
+Use use_of_pressure(const Case& the_case, const Condition& condition) {
+  if (the_case.gas.model == GasModel::none) return {false, "gas is none"};
   return {condition.kind.gas_pressure == GasPressure::prescribed, "its kind is not open"};
 }
 
-Use use_of_entry(const Case& scene, const Condition& condition) {
-  if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
+Use use_of_entry(const Case& the_case, const Condition& condition) {
+  if (the_case.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
   return {condition.kind.open_to_gas(), "its kind is not open"};
 }
 
-Use use_of_wall(const Case& scene, const Condition& condition) {
-  if (scene.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
-  if (!scene.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
+Use use_of_wall(const Case& the_case, const Condition& condition) {
+  if (the_case.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
+  if (!the_case.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
   return {condition.kind.gas_tangential == GasTangential::wall, "its kind is not a wall"};
 }
 
@@ -62,16 +62,16 @@ void declare_history(OptionSet& o, const std::string& key, const Use& use, Ramp&
 
 }  // namespace
 
-void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, Condition& condition) {
-  const Use use = use_of_wall(scene, condition);
+void declare_gas_wall(OptionSet& o, const std::string& key, const Case& the_case, Condition& condition) {
+  const Use use = use_of_wall(the_case, condition);
   o.choice(key + "gas_wall", condition.gas_no_slip, {{"free_slip", false}, {"no_slip", true}},
            "whether the gas slips along the wall or sticks to it")
       .used_if(use.used, use.otherwise);
 }
 
-void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& scene, Segment& segment) {
+void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& the_case, Segment& segment) {
   Condition& condition = segment.condition;
-  const Use inflow = use_of_inflow(scene, condition), pressure = use_of_pressure(scene, condition);
+  const Use inflow = use_of_inflow(the_case, condition), pressure = use_of_pressure(the_case, condition);
   OptionEntry& velocity = o.real(key + "gas_velocity", condition.gas_velocity, "m/s", any_number(),
                                  "superficial velocity of the gas that an inlet or gas_inlet brings into the box")
                               .symbol("(1-nu) u")
@@ -84,12 +84,12 @@ void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case&
          "p_g outside of an open side, over that of still gas there")
       .symbol("p_g")
       .used_if(pressure.used, pressure.otherwise);
-  const Use entry = use_of_entry(scene, condition);
+  const Use entry = use_of_entry(the_case, condition);
   o.choice(key + "gas_entry", condition.gas_enters_at_rest, {{"at_rest", true}, {"developed", false}},
            "gas that comes in through an open side: at_rest: from still gas outside, at the cost of its dynamic head "
            "rho_g u^2/2; developed: as from a channel that goes on outside")
       .used_if(entry.used, entry.otherwise);
-  declare_gas_wall(o, key, scene, condition);
+  declare_gas_wall(o, key, the_case, condition);
 }
 
 }  // namespace scree

@@ -4,10 +4,10 @@
 
 namespace scree {
 
-void declare_gas(OptionSet& o, Case& scene) {
+void declare_gas(OptionSet& o, Case& the_case) {
   o.group("gas");
-  GasParameters& gas = scene.gas;
-  ModelParameters& model = scene.model;
+  GasParameters& gas = the_case.gas;
+  ModelParameters& model = the_case.model;
   o.choice(
       "gas", gas.model,
       {{"none", GasModel::none}, {"darcy", GasModel::darcy}, {"incompressible", GasModel::incompressible}},
@@ -30,7 +30,7 @@ void declare_gas(OptionSet& o, Case& scene) {
       .symbol("sigma_g")
       .used_if(gas.model == GasModel::incompressible, "gas is not incompressible");
   o.real("gas_darcy_solids_fraction", model.darcy_solids_fraction, "-",
-         above_zero_below(scene.kinetic.nu_max, "solids_fraction_max"),
+         above_zero_below(the_case.kinetic.nu_max, "solids_fraction_max"),
          "gas darcy: drag in voids is that of this solids fraction")
       .symbol("nu")
       .used_if(gas.model == GasModel::darcy, "gas is not darcy");

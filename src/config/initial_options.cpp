@@ -32,14 +32,14 @@ void declare_profile(OptionSet& o, const std::string& key, const GridInput& grid
 }
 
 /// The option of one unknown, which may be given `elsewhere`, by a profile or table; whether it is given.
-bool declare_value(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene, bool elsewhere,
+bool declare_value(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case, bool elsewhere,
                    const Unknown& unknown, InitialValue& entry) {
   entry.unknown = &unknown;
-  const std::string name = key + unknown.dataset, absent = absence(scene, unknown);
+  const std::string name = key + unknown.dataset, absent = absence(the_case, unknown);
   OptionEntry& option = unknown.place == Place::face
                             ? o.vector(name, entry.value, grid.dim, unknown.unit, unknown.initial.text)
                             : o.real(name, entry.value[0], option_unit(unknown),
-                                     range_of(unknown.initial.allowed, scene), unknown.initial.text);
+                                     range_of(unknown.initial.allowed, the_case), unknown.initial.text);
   return option.symbol(unknown.symbol)
       .unset_by_default("unchanged")
       .used_if(absent.empty(), absent)
@@ -59,18 +59,18 @@ void declare_gradient(OptionSet& o, const std::string& key, const GridInput& gri
     region.values.push_back({&SolidsMomentum::unknown, {0, 0, 0}});
 }
 
-void declare_values(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
+void declare_values(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case,
                     InitialRegion& region) {
-  for (const Unknown* unknown : scene.catalogue.unknowns()) {
+  for (const Unknown* unknown : the_case.catalogue.unknowns()) {
     if (!unknown->initial.text) continue;
     InitialValue entry;
     const bool elsewhere = unknown == &SolidsContinuity::unknown && region.has_own_solids_fraction();
-    if (declare_value(o, key, grid, scene, elsewhere, *unknown, entry)) region.values.push_back(entry);
+    if (declare_value(o, key, grid, the_case, elsewhere, *unknown, entry)) region.values.push_back(entry);
     if (unknown == &SolidsMomentum::unknown) declare_gradient(o, key, grid, region);
   }
 }
 
-void declare_region(OptionSet& o, const std::string& key, const GridInput& grid, const Case& scene,
+void declare_region(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case,
                     Ordered<InitialRegion>& entry) {
   InitialRegion& region = entry.item;
   std::vector<double> box;
@@ -82,18 +82,18 @@ void declare_region(OptionSet& o, const std::string& key, const GridInput& grid,
   region.upper = place.upper;
   o.integer(key + "order", entry.order, -1000000, "regions of higher order, then of later name, overwrite the others");
   declare_profile(o, key, grid, region);
-  declare_values(o, key, grid, scene, region);
+  declare_values(o, key, grid, the_case, region);
 }
 
 }  // namespace
 
-std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene) {
+std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& the_case) {
   std::vector<InitialRegion> regions = in_order(o.named<Ordered<InitialRegion>>(
       "initial", [&](OptionSet& set, const std::string& key, const std::string& name, Ordered<InitialRegion>& entry) {
         entry.item.name = name;
-        declare_region(set, key, grid, scene, entry);
+        declare_region(set, key, grid, the_case, entry);
       }));
-  InitialRegion everywhere = empty_box(scene.catalogue.unknowns());
+  InitialRegion everywhere = empty_box(the_case.catalogue.unknowns());
   everywhere.lower = Patch().lower;
   everywhere.upper = Patch().upper;
   regions.insert(regions.begin(), everywhere);

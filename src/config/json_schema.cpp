@@ -154,9 +154,9 @@ void add_petsc(Json& patterns) {
 std::string json_schema(const Catalogue& catalogue) {
   OptionSet options;
   GridInput grid;
-  Case scene;
-  scene.catalogue = catalogue;
-  declare_all(options, grid, scene);
+  Case the_case;
+  the_case.catalogue = catalogue;
+  declare_all(options, grid, the_case);
 
   Json definitions = Json::object(), patterns = Json::object();
   Keys plain;

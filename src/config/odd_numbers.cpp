@@ -13,11 +13,11 @@ constexpr double dense = 0.5;        ///< solids fraction of a bed, whose partic
 using Point = std::array<double, max_dim>;
 
 /// The last region there that gives a solids fraction.
-bool bed_at(const Case& scene, const Point& place) {
+bool bed_at(const Case& the_case, const Point& place) {
   bool bed = false;
-  for (const InitialRegion& region : scene.initial) {
+  for (const InitialRegion& region : the_case.initial) {
     bool there = region.gives_solids_fraction();
-    for (int axis = 0; axis < scene.box.dim; ++axis)
+    for (int axis = 0; axis < the_case.box.dim; ++axis)
       there = there && place[axis] >= region.lower[axis] && place[axis] <= region.upper[axis];
     if (there) bed = region.profile == InitialRegion::Profile::equilibrium || region.uniform_solids_fraction() >= dense;
   }
@@ -28,63 +28,63 @@ bool brings_particles(const Condition& condition) {
   return condition.kind.brings_solids() && condition.brought(SolidsContinuity::unknown) > 0;
 }
 
-bool has_particles(const Case& scene) {
-  for (const InitialRegion& region : scene.initial) {
+bool has_particles(const Case& the_case) {
+  for (const InitialRegion& region : the_case.initial) {
     if (region.has_own_solids_fraction() || region.uniform_solids_fraction() > 0) return true;
   }
-  for (const Segment& segment : scene.segments)
+  for (const Segment& segment : the_case.segments)
     if (brings_particles(segment.condition)) return true;
   return false;
 }
 
-bool mirrored(const Case& scene, int axis, bool upper) {
-  for (const Segment& segment : scene.segments)
+bool mirrored(const Case& the_case, int axis, bool upper) {
+  for (const Segment& segment : the_case.segments)
     if (segment.axis == axis && segment.upper == upper && segment.condition.kind == BoundaryKind::symmetry) return true;
   return false;
 }
 
 /// Width of the part of a patch along an axis that lies in the box, with its mirror image [m]; infinite where the patch
 /// ends only at sides that are no planes of symmetry, or goes round.
-double width_along(const Case& scene, const Patch& patch, int axis) {
-  const Box& box = scene.box;
+double width_along(const Case& the_case, const Patch& patch, int axis) {
+  const Box& box = the_case.box;
   const bool to_lower = patch.lower[axis] <= box.lower(axis), to_upper = patch.upper[axis] >= box.upper(axis);
   if (to_lower && to_upper) return std::numeric_limits<double>::infinity();
   const double width = std::min(patch.upper[axis], box.upper(axis)) - std::max(patch.lower[axis], box.lower(axis));
-  const bool twice = (to_lower && mirrored(scene, axis, false)) || (to_upper && mirrored(scene, axis, true));
+  const bool twice = (to_lower && mirrored(the_case, axis, false)) || (to_upper && mirrored(the_case, axis, true));
   return twice ? 2 * width : width;
 }
 
-double narrowest(const Case& scene, const Patch& patch, int normal) {
+double narrowest(const Case& the_case, const Patch& patch, int normal) {
   double width = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < scene.box.dim; ++axis)
-    if (axis != normal) width = std::min(width, width_along(scene, patch, axis));
+  for (int axis = 0; axis < the_case.box.dim; ++axis)
+    if (axis != normal) width = std::min(width, width_along(the_case, patch, axis));
   return width;
 }
 
-std::string in_particles(const Case& scene, double length) {
-  return number_text(length, 3) + " m, " + number_text(length / scene.kinetic.d, 3) + " particle diameters";
+std::string in_particles(const Case& the_case, double length) {
+  return number_text(length, 3) + " m, " + number_text(length / the_case.kinetic.d, 3) + " particle diameters";
 }
 
-void add_box(const Case& scene, std::vector<std::string>& remarks) {
-  for (int axis = 0; axis < scene.box.dim; ++axis) {
-    const double width = scene.box.upper(axis) - scene.box.lower(axis);
-    if (scene.box.periodic[axis] || width >= fewest_across * scene.kinetic.d) continue;
-    remarks.push_back("particle_diameter = " + number_text(scene.kinetic.d) + " m is odd: the box along " +
-                      axis_names[axis] + " is " + in_particles(scene, width));
+void add_box(const Case& the_case, std::vector<std::string>& remarks) {
+  for (int axis = 0; axis < the_case.box.dim; ++axis) {
+    const double width = the_case.box.upper(axis) - the_case.box.lower(axis);
+    if (the_case.box.periodic[axis] || width >= fewest_across * the_case.kinetic.d) continue;
+    remarks.push_back("particle_diameter = " + number_text(the_case.kinetic.d) + " m is odd: the box along " +
+                      axis_names[axis] + " is " + in_particles(the_case, width));
   }
 }
 
-void add_opening(const Case& scene, const Patch& patch, int normal, const std::string& key,
+void add_opening(const Case& the_case, const Patch& patch, int normal, const std::string& key,
                  std::vector<std::string>& remarks) {
-  const double width = narrowest(scene, patch, normal);
-  if (width < fewest_across * scene.kinetic.d)
-    remarks.push_back(key + " is odd: it leaves a width of " + in_particles(scene, width) +
+  const double width = narrowest(the_case, patch, normal);
+  if (width < fewest_across * the_case.kinetic.d)
+    remarks.push_back(key + " is odd: it leaves a width of " + in_particles(the_case, width) +
                       "; grains arch over less than about 5, which the equations do not know");
 }
 
 /// A place half a cell inside the box behind the middle of a segment.
-Point behind(const Case& scene, const Segment& segment) {
-  const Box& box = scene.box;
+Point behind(const Case& the_case, const Segment& segment) {
+  const Box& box = the_case.box;
   Point place{};
   for (int axis = 0; axis < box.dim; ++axis) {
     const double lower = std::max(segment.patch.lower[axis], box.lower(axis));
@@ -98,10 +98,10 @@ Point behind(const Case& scene, const Segment& segment) {
 }
 
 /// `open` prescribes no stress: a bed on a part of a side keeps its pressure and stays.
-void add_outlet(const Case& scene, const Segment& segment, std::vector<std::string>& remarks) {
-  const bool whole = std::isinf(narrowest(scene, segment.patch, segment.axis));
-  const bool carries = scene.friction.model != FrictionModel::none && scene.model.solids_moving;
-  if (whole || !carries || !bed_at(scene, behind(scene, segment))) return;
+void add_outlet(const Case& the_case, const Segment& segment, std::vector<std::string>& remarks) {
+  const bool whole = std::isinf(narrowest(the_case, segment.patch, segment.axis));
+  const bool carries = the_case.friction.model != FrictionModel::none && the_case.model.solids_moving;
+  if (whole || !carries || !bed_at(the_case, behind(the_case, segment))) return;
   remarks.push_back("boundary_" + segment.condition.name +
                     "_kind = open is odd: a bed lies on this part of a side and may not pass it; put a plate with the "
                     "opening some cells inside and leave the whole side open");
@@ -109,19 +109,19 @@ void add_outlet(const Case& scene, const Segment& segment, std::vector<std::stri
 
 }  // namespace
 
-std::vector<std::string> odd_numbers(const Case& scene) {
+std::vector<std::string> odd_numbers(const Case& the_case) {
   std::vector<std::string> remarks;
-  if (!has_particles(scene)) return remarks;
-  add_box(scene, remarks);
-  for (const Plate& plate : scene.plates) {
+  if (!has_particles(the_case)) return remarks;
+  add_box(the_case, remarks);
+  for (const Plate& plate : the_case.plates) {
     for (const Patch& opening : plate.openings)
-      add_opening(scene, opening, plate.axis, "plate_" + plate.condition.name + "_openings", remarks);
+      add_opening(the_case, opening, plate.axis, "plate_" + plate.condition.name + "_openings", remarks);
   }
-  for (const Segment& segment : scene.segments) {
+  for (const Segment& segment : the_case.segments) {
     const Condition& condition = segment.condition;
     if (condition.kind.lets_solids_out() || brings_particles(condition))
-      add_opening(scene, segment.patch, segment.axis, "boundary_" + condition.name + "_patch", remarks);
-    if (condition.kind.lets_solids_out()) add_outlet(scene, segment, remarks);
+      add_opening(the_case, segment.patch, segment.axis, "boundary_" + condition.name + "_patch", remarks);
+    if (condition.kind.lets_solids_out()) add_outlet(the_case, segment, remarks);
   }
   return remarks;
 }

@@ -34,17 +34,17 @@ void put_patch(const Box& box, int normal, Patch& patch, const std::string& key)
 
 }  // namespace
 
-void put_on_grid(Case& scene) {
-  const Box& box = scene.box;
-  for (Segment& segment : scene.segments)
+void put_on_grid(Case& the_case) {
+  const Box& box = the_case.box;
+  for (Segment& segment : the_case.segments)
     put_patch(box, segment.axis, segment.patch, "boundary_" + segment.condition.name + "_patch");
-  for (Plate& plate : scene.plates) {
+  for (Plate& plate : the_case.plates) {
     const std::string key = "plate_" + plate.condition.name + "_";
     plate.position = on_plane(box, plate.axis, plate.position, key + "position");
     put_patch(box, plate.axis, plate.span, key + "span");
     for (Patch& opening : plate.openings) put_patch(box, plate.axis, opening, key + "openings");
   }
-  for (FluxPlane& flux : scene.flux_planes) {
+  for (FluxPlane& flux : the_case.flux_planes) {
     flux.position = on_plane(box, flux.axis, flux.position, "flux_" + flux.name + "_position");
     put_patch(box, flux.axis, flux.patch, "flux_" + flux.name + "_patch");
   }

@@ -10,9 +10,9 @@ namespace {
 OptionSet all_options(const Catalogue& catalogue) {
   OptionSet options;
   GridInput grid;
-  Case scene;
-  scene.catalogue = catalogue;
-  declare_all(options, grid, scene);
+  Case the_case;
+  the_case.catalogue = catalogue;
+  declare_all(options, grid, the_case);
   return options;
 }
 

@@ -25,11 +25,12 @@ void declare_files(OptionSet& o, OutputParameters& output) {
   o.text("restart", output.restart, "a directory of a run", "run to go on from");
 }
 
-void declare_quantities(OptionSet& o, const Case& scene, OutputParameters& output) {
+void declare_quantities(OptionSet& o, const Case& the_case, OutputParameters& output) {
   o.real("output_depth", output.depth, "m", positive(), "plane flow: thickness that masses and rates refer to");
   o.real("output_mirror", output.mirror, "-", positive(), "factor on masses and rates, such as 2 for half a domain");
   o.real("bed_solids_fraction", output.bed_solids_fraction, "-",
-         above_zero_below(scene.kinetic.nu_max, "solids_fraction_max"), "solids fraction that marks the bed's surface");
+         above_zero_below(the_case.kinetic.nu_max, "solids_fraction_max"),
+         "solids fraction that marks the bed's surface");
 }
 
 void declare_flux(OptionSet& o, const std::string& key, const GridInput& grid, FluxPlane& flux) {
@@ -47,22 +48,23 @@ void declare_flux(OptionSet& o, const std::string& key, const GridInput& grid, F
 
 }  // namespace
 
-void declare_output(OptionSet& o, const GridInput& grid, Case& scene) {
-  declare_files(o, scene.output);
-  declare_quantities(o, scene, scene.output);
-  scene.probes =
+void declare_output(OptionSet& o, const GridInput& grid, Case& the_case) {
+  declare_files(o, the_case.output);
+  declare_quantities(o, the_case, the_case.output);
+  the_case.probes =
       o.named<Probe>("probe", [&](OptionSet& set, const std::string& key, const std::string& name, Probe& probe) {
         probe.name = name;
         set.vector(key + "point", probe.point, grid.dim, "m", "point whose fields monitor.csv reports").required();
         set.texts(key + "fields", probe.fields, field_list, "fields to report").unset_by_default("all");
       });
-  scene.lines = o.named<Line>("line", [&](OptionSet& set, const std::string& key, const std::string& name, Line& line) {
-    line.name = name;
-    set.vector(key + "from", line.from, grid.dim, "m", "start of the sampled line").required();
-    set.vector(key + "to", line.to, grid.dim, "m", "end of the sampled line").required();
-    set.texts(key + "fields", line.fields, field_list, "fields to sample").unset_by_default("all");
-  });
-  scene.flux_planes =
+  the_case.lines =
+      o.named<Line>("line", [&](OptionSet& set, const std::string& key, const std::string& name, Line& line) {
+        line.name = name;
+        set.vector(key + "from", line.from, grid.dim, "m", "start of the sampled line").required();
+        set.vector(key + "to", line.to, grid.dim, "m", "end of the sampled line").required();
+        set.texts(key + "fields", line.fields, field_list, "fields to sample").unset_by_default("all");
+      });
+  the_case.flux_planes =
       o.named<FluxPlane>("flux", [&](OptionSet& set, const std::string& key, const std::string& name, FluxPlane& flux) {
         flux.name = name;
         declare_flux(set, key, grid, flux);

@@ -19,28 +19,28 @@ void clip_regions(const Box& box, std::vector<InitialRegion>& regions) {
 OptionSet known_options(const CaseInput& input, const Catalogue& catalogue) {
   OptionSet known(input, OptionSet::Mode::describe);
   GridInput grid;
-  Case scene;
-  scene.catalogue = catalogue;
-  declare_all(known, grid, scene);
+  Case the_case;
+  the_case.catalogue = catalogue;
+  declare_all(known, grid, the_case);
   return known;
 }
 
 }  // namespace
 
-void declare_all(OptionSet& o, GridInput& grid, Case& scene) {
+void declare_all(OptionSet& o, GridInput& grid, Case& the_case) {
   declare_grid(o, grid);
-  declare_model(o, grid.dim, scene.model);
-  declare_particles(o, scene.kinetic, scene.friction, scene.wall);
-  declare_gas(o, scene);
-  declare_friction(o, scene.friction, scene.model.temperature, scene.kinetic);
-  declare_wall(o, scene.wall);
-  scene.segments = declare_boundaries(o, grid, scene);
-  scene.plates = declare_plates(o, grid, scene);
-  scene.initial = declare_initial(o, grid, scene);
-  declare_time(o, scene.time);
-  declare_output(o, grid, scene);
-  declare_solver(o, scene);
-  if (scene.catalogue.further_options) scene.catalogue.further_options(o);
+  declare_model(o, grid.dim, the_case.model);
+  declare_particles(o, the_case.kinetic, the_case.friction, the_case.wall);
+  declare_gas(o, the_case);
+  declare_friction(o, the_case.friction, the_case.model.temperature, the_case.kinetic);
+  declare_wall(o, the_case.wall);
+  the_case.segments = declare_boundaries(o, grid, the_case);
+  the_case.plates = declare_plates(o, grid, the_case);
+  the_case.initial = declare_initial(o, grid, the_case);
+  declare_time(o, the_case.time);
+  declare_output(o, grid, the_case);
+  declare_solver(o, the_case);
+  if (the_case.catalogue.further_options) the_case.catalogue.further_options(o);
 }
 
 namespace {
@@ -57,22 +57,22 @@ Case understood(const CaseInput& input, const Catalogue& catalogue) {
 
   OptionSet options(input, OptionSet::Mode::read);
   GridInput grid;
-  Case scene;
-  scene.catalogue = catalogue;
-  declare_all(options, grid, scene);
+  Case the_case;
+  the_case.catalogue = catalogue;
+  declare_all(options, grid, the_case);
   options.check_required();
 
-  scene.box = make_box(grid);
-  put_on_grid(scene);
-  clip_regions(scene.box, scene.initial);
-  check_case(scene);
+  the_case.box = make_box(grid);
+  put_on_grid(the_case);
+  clip_regions(the_case.box, the_case.initial);
+  check_case(the_case);
 
-  scene.effective_yaml = effective_yaml(input, options);
-  scene.petsc_options = petsc_options(input);
-  scene.remarks = input.remarks();
-  for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(scene)})
-    scene.remarks.insert(scene.remarks.end(), more.begin(), more.end());
-  return scene;
+  the_case.effective_yaml = effective_yaml(input, options);
+  the_case.petsc_options = petsc_options(input);
+  the_case.remarks = input.remarks();
+  for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(the_case)})
+    the_case.remarks.insert(the_case.remarks.end(), more.begin(), more.end());
+  return the_case;
 }
 
 }  // namespace

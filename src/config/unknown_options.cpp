@@ -5,10 +5,10 @@ namespace scree {
 
 std::string option_unit(const Unknown& unknown) { return unknown.unit == std::string("1") ? "-" : unknown.unit; }
 
-Range range_of(Allowed allowed, const Case& scene) {
+Range range_of(Allowed allowed, const Case& the_case) {
   switch (allowed) {
     case Allowed::solids_fraction:
-      return from_zero_below(scene.kinetic.nu_max, "solids_fraction_max");
+      return from_zero_below(the_case.kinetic.nu_max, "solids_fraction_max");
     case Allowed::non_negative:
       return non_negative();
     default:
@@ -16,12 +16,12 @@ Range range_of(Allowed allowed, const Case& scene) {
   }
 }
 
-std::string absence(const Case& scene, const Unknown& unknown) {
-  if (&unknown == &GranularEnergy::unknown && scene.model.temperature != TemperatureModel::transport)
+std::string absence(const Case& the_case, const Unknown& unknown) {
+  if (&unknown == &GranularEnergy::unknown && the_case.model.temperature != TemperatureModel::transport)
     return "granular_temperature is not transport";
-  if (&unknown == &FrictionRelaxation::unknown && !scene.friction.model->has_unknown)
+  if (&unknown == &FrictionRelaxation::unknown && !the_case.friction.model->has_unknown)
     return "friction_model is not relaxed";
-  if (&unknown == &GasMomentum::unknown && scene.gas.model != GasModel::incompressible)
+  if (&unknown == &GasMomentum::unknown && the_case.gas.model != GasModel::incompressible)
     return "gas is not incompressible";
   return "";
 }

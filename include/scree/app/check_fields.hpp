@@ -7,6 +7,6 @@
 namespace scree {
 
 /// Throws InputError for a probe or line with a field that the model does not have. Makes no grid of the case.
-void check_fields(const Case& scene, const ModelFactory& models);
+void check_fields(const Case& the_case, const ModelFactory& models);
 
 }  // namespace scree

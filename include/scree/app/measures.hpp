@@ -14,7 +14,7 @@ namespace scree {
 /// Quantities of a state, in SI; masses, volume flows and rates refer to `output_depth` and `output_mirror`.
 class Measures {
  public:
-  Measures(const Case& scene, const DiscreteProblem& problem);
+  Measures(const Case& the_case, const DiscreteProblem& problem);
 
   /// Collective. Without a state (nullptr): the columns alone, all values 0.
   std::vector<Quantity> quantities(double time, Vec state) const;
@@ -41,7 +41,7 @@ class Measures {
   double greatest_speed(Vec state, const Unknown& velocity) const;
   double bed_height(Vec state) const;
 
-  const Case& scene_;
+  const Case& case_;
   const DiscreteProblem& problem_;
   double mass_per_volume_;
   bool with_gas_, has_gas_velocity_;

@@ -8,6 +8,6 @@ namespace scree {
 
 /// Grid, conditions, parameters and scales of a scene. Unless the case gives scale_velocity, velocities are scaled by
 /// sqrt(g d) and times by sqrt(d/g).
-ProblemSetup problem_setup(const Case& scene, const ModelFactory& models = {make_model, {}});
+ProblemSetup problem_setup(const Case& the_case, const ModelFactory& models = {make_model, {}});
 
 }  // namespace scree

@@ -23,7 +23,7 @@ class Simulation {
  public:
   /// Collective. Sets everything up and writes the initial output. Throws InputError or std::runtime_error of one line,
   /// on all ranks, before anything of an earlier run is touched. What there is to say goes to `log`.
-  Simulation(MPI_Comm comm, const Case& scene, const ModelFactory& models, Progress& log);
+  Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& models, Progress& log);
 
   /// Collective. Runs to end_time, to a signal or to the end of the wall-clock budget; leaves a checkpoint and
   /// summary.json in any of these. Throws std::runtime_error if no step works any more, after a last checkpoint.
@@ -54,7 +54,7 @@ class Simulation {
     }
   };
 
-  static StepControl step_control(const Case& scene);
+  static StepControl step_control(const Case& the_case);
   void start_new();
   void restart();
   void open_outputs(std::optional<double> restart_time);
@@ -80,7 +80,7 @@ class Simulation {
   std::vector<Quantity> monitor_row(const StepReport* report) const;
 
   MPI_Comm comm_;
-  Case scene_;
+  Case case_;
   Progress& log_;
   DiscreteProblem problem_;
   PhaseClock clock_;

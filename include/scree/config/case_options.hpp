@@ -56,49 +56,49 @@ Patch patch_from(const std::vector<double>& coordinates, int normal, int dim, st
 
 /// Unit of the option for an unknown, and the numbers that it accepts.
 std::string option_unit(const Unknown& unknown);
-Range range_of(Allowed allowed, const Case& scene);
+Range range_of(Allowed allowed, const Case& the_case);
 /// Why the scene has no such unknown; empty: it has.
-std::string absence(const Case& scene, const Unknown& unknown);
+std::string absence(const Case& the_case, const Unknown& unknown);
 
 /// All options in the order of a case file.
-void declare_all(OptionSet& o, GridInput& grid, Case& scene);
+void declare_all(OptionSet& o, GridInput& grid, Case& the_case);
 
 void declare_grid(OptionSet& o, GridInput& grid);
 void declare_model(OptionSet& o, int dim, ModelParameters& model);
 void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall);
-void declare_gas(OptionSet& o, Case& scene);
+void declare_gas(OptionSet& o, Case& the_case);
 void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
                       KineticParameters& kinetic);
 void declare_wall(OptionSet& o, WallParameters& wall);
-std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& scene);
-std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& scene);
+std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& the_case);
+std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& the_case);
 /// What a side does to the gas; its kind and axis are known.
-void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& scene, Segment& segment);
+void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& the_case, Segment& segment);
 /// Slip of the gas at a wall or plate; its kind is known.
-void declare_gas_wall(OptionSet& o, const std::string& key, const Case& scene, Condition& condition);
-std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& scene);
+void declare_gas_wall(OptionSet& o, const std::string& key, const Case& the_case, Condition& condition);
+std::vector<InitialRegion> declare_initial(OptionSet& o, const GridInput& grid, const Case& the_case);
 void declare_time(OptionSet& o, TimeParameters& time);
-void declare_output(OptionSet& o, const GridInput& grid, Case& scene);
-void declare_solver(OptionSet& o, Case& scene);
+void declare_output(OptionSet& o, const GridInput& grid, Case& the_case);
+void declare_solver(OptionSet& o, Case& the_case);
 
 /// The box with its face positions. Throws InputError if lists do not fit together.
 Box make_box(const GridInput& grid);
 
 /// Moves all patches, plates and flux planes exactly onto grid planes.
 /// Throws InputError naming the nearest grid plane if one is off by more than 1e-6 of a cell.
-void put_on_grid(Case& scene);
+void put_on_grid(Case& the_case);
 
 /// Combinations of values: one place for what concerns more than one option. Reads the tables. Throws InputError.
-void check_case(Case& scene);
+void check_case(Case& the_case);
 
 /// What the boundaries say of the gas; the sides are known to be covered. Throws InputError.
-void check_gas(const Case& scene);
+void check_gas(const Case& the_case);
 
 /// What comes into each connected part of the box has to find its way out, or room. Reads no tables. Throws InputError.
-void check_ways_out(const Case& scene);
+void check_ways_out(const Case& the_case);
 
 /// Numbers that are allowed but odd, such as a particle as large as the box: one line for each.
-std::vector<std::string> odd_numbers(const Case& scene);
+std::vector<std::string> odd_numbers(const Case& the_case);
 
 /// Throws InputError for the first key that is neither ours nor a definition nor PETSc's; names the nearest known one.
 void check_keys(const CaseInput& input, const OptionSet& known);
