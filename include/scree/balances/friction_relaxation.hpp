@@ -5,7 +5,7 @@
 ///     term                        function        kernel that evaluates it
 ///     nu d(chi)/dt                storage         CellBalances (cell_balances.hpp)
 ///     nu v.grad(chi)              advection       ScalarFluxes (scalar_fluxes.hpp)
-///     nu (chi* - chi)/tau         chi_source      CellBalances, chi* of (21) from closures/stress.hpp
+///     nu (chi* - chi)/tau         chi_source      CellBalances, chi* of (21) from closures/friction.hpp
 ///
 /// Multiplied by nu, so that it is carried by the same flux as (1), and says nothing where no particles are.
 #pragma once

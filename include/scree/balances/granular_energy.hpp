@@ -7,7 +7,8 @@
 ///     (3/2) rho_s nu v.grad T     advection       ScalarFluxes (scalar_fluxes.hpp)
 ///     q of (1.3)                  conduction      ScalarFluxes
 ///                                 (26)            WallLaws (wall_laws.hpp)
-///     -sigma_k : grad v - J_coll - J_vis          CellBalances, CellClosure::energy_source of closures/stress.hpp
+///     -sigma_k : grad v - J_coll - J_vis          CellBalances, CellClosure::energy_source of
+///     closures/solids_closures.hpp
 ///
 /// Only the kinetic stress feeds T: the work of the frictional stress goes to heat.
 #pragma once
@@ -44,7 +45,7 @@ struct GranularEnergy {
   /// (3/2) rho_s nu dT/dt [W/m3].
   template <class Number>
   static Number storage(double rho_s, const Number& nu, const Number& T_dot) {
-    return 1.5 * rho_s * nu * T_dot;
+    return capacity(rho_s) * nu * T_dot;
   }
   /// Energy that the volume flux F = nu v carries through a face, beyond that of `own` [W/m2].
   template <class Number>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <string_view>
 
 namespace scree {
@@ -10,7 +11,7 @@ namespace scree {
 /// Velocity of the particles normal to the face: that of the wall; zero; zero gradient, they leave; prescribed.
 enum class SolidsNormal { wall, zero, open, prescribed };
 /// What shears the particles along the face: nothing, by symmetry or a smooth wall; Coulomb friction and collisions
-/// (25), (26); a wall that they stick to; nothing of its own, the flow goes on as inside.
+/// (25), (26); a wall that they stick to; nothing of its own, the shear goes on as inside.
 enum class SolidsTangential { free, johnson_jackson, no_slip, continued };
 /// nu, T, chi and other scalars of the particles: no flux; carried out, inflow brings nothing; prescribed values come
 /// in.
@@ -43,7 +44,18 @@ struct BoundaryKind {
         scalars(scalars_),
         gas_normal(gas_normal_),
         gas_tangential(gas_tangential_),
-        gas_pressure(gas_pressure_) {}
+        gas_pressure(gas_pressure_) {
+    // In a constant expression a throw does not compile.
+    if (!consistent()) throw std::logic_error("a kind of boundary whose answers contradict each other");
+  }
+
+  /// Gas passes freely just where a pressure outside drives it, and scalars do as the particles do.
+  constexpr bool consistent() const {
+    const bool gas = (gas_normal == GasNormal::open) == (gas_pressure == GasPressure::prescribed);
+    const bool in = (solids_normal == SolidsNormal::prescribed) == (scalars == Scalars::prescribed);
+    const bool out = (solids_normal == SolidsNormal::open) == (scalars == Scalars::outflow);
+    return gas && in && out;
+  }
 
   constexpr bool stops_solids() const {
     return solids_normal == SolidsNormal::wall || solids_normal == SolidsNormal::zero;

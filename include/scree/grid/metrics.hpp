@@ -7,8 +7,13 @@
 
 namespace scree {
 
-/// The geometry of a rank's part of the grid. Plane axes have scale factors h = 1, so that an area over a volume is one
-/// over a width; curvilinear ones would put theirs here.
+/// The two ends of a volume along an axis.
+enum class End { lower, upper };
+
+inline End end_of(int side) { return side == 0 ? End::lower : End::upper; }
+
+/// The geometry of a rank's part of the grid. Axes are plane, with scale factors h = 1: the volume over the area of
+/// either end is a width. Curvilinear axes would put their areas and volumes here, and kernels stay as they are.
 struct Metrics {
   const Lattice& lattice;
   /// False where nothing lies within the width of the ghost layer that carries a condition: the questions below are
@@ -20,12 +25,18 @@ struct Metrics {
   bool is_face(int a, const Index& I) const { return !near || lattice.is_face(a, I); }
   bool on_side(int a, const Index& I) const { return near && lattice.on_side(a, I); }
 
-  /// Volume over the area of an end: of cell I along `a`, and of the control volume about its lower `a` face, which on
-  /// a side of the box is half a cell [m].
+  /// Volume of cell I over the area of its lower or upper `a` face [m].
+  double volume_over_area(int a, const Index& I, End) const { return axis(a).width(I[a]); }
+  /// The same of the control volume about the lower `a` face of I and the area at one of its ends; on a side of the box
+  /// it is half a cell [m].
+  double control_volume_over_area(int a, const Index& I, End) const { return control_length(a, I); }
+  /// Extent along `a`: of cell I, and of the control volume about its lower `a` face [m].
   double cell_length(int a, const Index& I) const { return axis(a).width(I[a]); }
   double control_length(int a, const Index& I) const {
     return near ? lattice.control_length(a, I) : axis(a).distance(I[a]);
   }
+  /// From the centre of cell I to one of its `a` faces [m].
+  double distance_to_face(int a, const Index& I) const { return 0.5 * cell_length(a, I); }
   /// Between the centres of the two cells about the lower `a` face of I [m].
   double centre_distance(int a, const Index& I) const { return axis(a).distance(I[a]); }
   /// Share of the cell below in the control volume about the lower `a` face of I, wherever the box ends.
@@ -49,21 +60,27 @@ Number difference_in_cell(const Metrics& grid, int axis, const Index& I, const N
 /// d/d axis from the centre of cell I to one of its `axis` faces, or back [1/m].
 template <class Number>
 Number difference_to_face(const Metrics& grid, int axis, const Index& I, const Number& from, const Number& to) {
-  return (to - from) / (0.5 * grid.cell_length(axis, I));
+  return (to - from) / grid.distance_to_face(axis, I);
+}
+
+/// d/d axis at the lower `axis` face of I, on a side of the box, from the centre of the cell before it to the side.
+template <class Number>
+Number difference_to_side(const Metrics& grid, int axis, const Index& I, const Number& lower, const Number& upper) {
+  return (upper - lower) / grid.control_length(axis, I);
 }
 
 // ---- divergences [1/m]: what a flux through one end takes out of a volume, per volume; the other end with minus ----
 
 /// Through an `axis` face of cell I; for a control volume of another axis, which is as long as cell I along this one.
 template <class Number>
-Number out_of_cell(const Metrics& grid, int axis, const Index& I, const Number& flux) {
-  return flux / grid.cell_length(axis, I);
+Number out_of_cell(const Metrics& grid, int axis, const Index& I, End end, const Number& flux) {
+  return flux / grid.volume_over_area(axis, I, end);
 }
 
 /// Out of the control volume about the lower `axis` face of I, through one of its ends along the same axis.
 template <class Number>
-Number out_of_control_volume(const Metrics& grid, int axis, const Index& I, const Number& flux) {
-  return flux / grid.control_length(axis, I);
+Number out_of_control_volume(const Metrics& grid, int axis, const Index& I, End end, const Number& flux) {
+  return flux / grid.control_volume_over_area(axis, I, end);
 }
 
 // ---- means ----

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "scree/grid/axis_name.hpp"
+
 namespace scree {
 
 /// Scales that make unknowns and residuals dimensionless: SI value = scale * stored value.
@@ -73,7 +75,7 @@ struct Field {
   double scale = 1;     ///< SI value = scale * stored value
   const Unknown* unknown = nullptr;
 
-  /// Whether this is (a component of) the unknown of that balance, e.g. is<SolidsFraction>().
+  /// Whether this is (a component of) the unknown of that balance, e.g. is<SolidsContinuity>().
   template <class Balance>
   bool is() const {
     return unknown == &Balance::unknown;
@@ -83,7 +85,7 @@ struct Field {
 /// Name of a field as a column or a dataset of its own: "solids_fraction", "velocity_x", "velocity_y", ...
 inline std::string column_name(const Field& field) {
   if (field.face_axis < 0) return field.dataset;
-  return field.dataset + '_' + "xyz"[field.face_axis];
+  return field.dataset + '_' + axis_name(field.face_axis);
 }
 
 }  // namespace scree

@@ -59,8 +59,8 @@ struct CarriedScalarFlux {
       conducted = -k * difference_at_face(scene, axis, I, below, above);
     }
     const double c = Scalar::capacity(scene);
-    r[0] += out_of_cell(scene, axis, I - e, Number(c * F * (value - below) + conducted));
-    r[1] -= out_of_cell(scene, axis, I, Number(c * F * (value - above) + conducted));
+    r[0] += out_of_cell(scene, axis, I - e, End::upper, Number(c * F * (value - below) + conducted));
+    r[1] -= out_of_cell(scene, axis, I, End::lower, Number(c * F * (value - above) + conducted));
   }
 };
 

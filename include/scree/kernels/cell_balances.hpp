@@ -52,8 +52,8 @@ struct CellBalances {
 
     for (int a = 0; a < L::dim; ++a) {
       const Number sigma = SolidsMomentum::normal_stress(p, mu, strain.S(a));
-      r[2 * a] += out_of_control_volume(scene, a, I, sigma);
-      r[2 * a + 1] -= out_of_control_volume(scene, a, I + unit(a), sigma);
+      r[2 * a] += out_of_control_volume(scene, a, I, End::upper, sigma);
+      r[2 * a + 1] -= out_of_control_volume(scene, a, I + unit(a), End::lower, sigma);
     }
     r[nu_row] += SolidsContinuity::storage(q.dot(L::nu));
 

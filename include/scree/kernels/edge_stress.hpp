@@ -62,10 +62,10 @@ struct EdgeStress {
     const bool near = scene.near;
     const Number on_a = (near ? open_share(scene, I, a, b) : 1.0) * sigma;
     const Number on_b = (near ? open_share(scene, I, b, a) : 1.0) * sigma;
-    r[0] += out_of_cell(scene, b, I - e_b, on_a);
-    r[1] -= out_of_cell(scene, b, I, on_a);
-    r[2] += out_of_cell(scene, a, I - e_a, on_b);
-    r[3] -= out_of_cell(scene, a, I, on_b);
+    r[0] += out_of_cell(scene, b, I - e_b, End::upper, on_a);
+    r[1] -= out_of_cell(scene, b, I, End::lower, on_a);
+    r[2] += out_of_cell(scene, a, I - e_a, End::upper, on_b);
+    r[3] -= out_of_cell(scene, a, I, End::lower, on_b);
   }
 
  private:

@@ -22,9 +22,9 @@ template <class L, class Q>
     const Condition& condition = scene.condition(axis, face);
     if (condition.kind.gas_pressure != GasPressure::prescribed) return Number(0.0);
     const double outside = condition.gas_pressure;
-    return out_of_control_volume(
-        scene, axis, face,
-        box_above(scene, axis, face) ? Number(q(L::p, at) - outside) : Number(outside - q(L::p, at - unit(axis))));
+    return box_above(scene, axis, face)
+               ? difference_to_side(scene, axis, face, Number(outside), q(L::p, at))
+               : difference_to_side(scene, axis, face, q(L::p, at - unit(axis)), Number(outside));
   }
   return difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at));
 }

@@ -54,8 +54,8 @@ struct GasNormalStress {
     const Number sigma = -2.0 * scene.gas().mu_g * (D - div_u / 3.0);
     const Number below = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
     const Number above = face_mean(scene, axis, I + e, q(L::nu), q(L::nu, e));
-    add_gas_stress(below, out_of_control_volume(scene, axis, I, sigma), r[0], r[1]);
-    add_gas_stress(above, out_of_control_volume(scene, axis, I + e, Number(-sigma)), r[2], r[3]);
+    add_gas_stress(below, out_of_control_volume(scene, axis, I, End::upper, sigma), r[0], r[1]);
+    add_gas_stress(above, out_of_control_volume(scene, axis, I + e, End::lower, Number(-sigma)), r[2], r[3]);
   }
 };
 
@@ -100,8 +100,8 @@ struct GasShearStress {
     const Number sigma = -scene.gas().mu_g * open * rate;
     const Number before = face_mean(scene, axis, I, q(L::nu, -1 * a - b), q(L::nu, -1 * b));
     const Number behind = face_mean(scene, axis, I, q(L::nu, -1 * a), q(L::nu));
-    add_gas_stress(before, out_of_cell(scene, across, I - b, sigma), r[0], r[1]);
-    add_gas_stress(behind, out_of_cell(scene, across, I, Number(-sigma)), r[2], r[3]);
+    add_gas_stress(before, out_of_cell(scene, across, I - b, End::upper, sigma), r[0], r[1]);
+    add_gas_stress(behind, out_of_cell(scene, across, I, End::lower, Number(-sigma)), r[2], r[3]);
   }
 
  private:
@@ -151,26 +151,29 @@ struct GasWallStress {
     for (int normal = 0; normal < L::dim; ++normal) {
       for (int side = 0; side < 2 && normal != along; ++side) {
         const Index face = I + side * unit(normal);
-        if (sticks(scene, normal, face)) add(scene, I, q, normal, scene.condition(normal, face).velocity[along], r);
+        if (sticks(scene, normal, face)) add(scene, I, q, normal, end_of(side), scene.condition(normal, face), r);
       }
     }
   }
 
  private:
   static bool sticks(const Scene& scene, int normal, const Index& face) {
-    return normal != along && closed_to_gas(scene, normal, face) && scene.condition(normal, face).gas_no_slip;
+    if (normal == along || !closed_to_gas(scene, normal, face)) return false;
+    const Condition& condition = scene.condition(normal, face);
+    return condition.kind.gas_tangential == GasTangential::wall && condition.gas_no_slip;
   }
 
-  /// The stress of a wall normal to `normal` on the halves of the control volumes of u that lie in this cell.
+  /// The stress of a wall at an end along `normal` on the halves of the control volumes of u that lie in this cell.
   template <class Number, std::size_t count>
-  static void add(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q, int normal, double wall,
-                  std::array<Number, count>& r) {
+  static void add(const Scene& scene, const Index& I, const Local<GasWallStress, Number>& q, int normal, End end,
+                  const Condition& wall, std::array<Number, count>& r) {
     for (int side = 0; side < 2; ++side) {
       const Index at = side * t;
       const Number nu = face_mean(scene, along, I + at, q(L::nu, at - t), q(L::nu, at));
-      const Number stress = scene.gas().mu_g * difference_to_face(scene, normal, I, Number(wall), q(L::u(along), at));
+      const Number stress =
+          scene.gas().mu_g * difference_to_face(scene, normal, I, Number(wall.velocity[along]), q(L::u(along), at));
       const Number share = share_of_cell(scene, along, I, side) * stress;
-      add_gas_stress(nu, out_of_cell(scene, normal, I, share), r[2 * side], r[2 * side + 1]);
+      add_gas_stress(nu, out_of_cell(scene, normal, I, end, share), r[2 * side], r[2 * side + 1]);
     }
   }
 };

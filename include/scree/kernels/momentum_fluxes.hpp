@@ -95,18 +95,18 @@ struct NormalMomentumFlux {
     } else {
       carried = upwind(F, below, above);
     }
-    r[0] += out_of_control_volume(scene, axis, I, Balance::advection(rho, F, carried, below));
-    r[1] -= out_of_control_volume(scene, axis, I + e, Balance::advection(rho, F, carried, above));
+    r[0] += out_of_control_volume(scene, axis, I, End::upper, Balance::advection(rho, F, carried, below));
+    r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, Balance::advection(rho, F, carried, above));
     if constexpr (Phase::enters_from_rest) {
       // What is accelerated from rest outside has lost rho u^2/2 of pressure at an open side. Without that eddies which
       // reach through the side feed on themselves.
       if (lets_in_from_rest(scene, I)) {
         const Number inflow = positive(Phase::flux(scene, I, q, axis, {}));
-        r[0] += out_of_control_volume(scene, axis, I, Balance::entry_loss(rho, inflow, below));
+        r[0] += out_of_control_volume(scene, axis, I, End::upper, Balance::entry_loss(rho, inflow, below));
       }
       if (lets_in_from_rest(scene, I + e)) {
         const Number inflow = positive(Number(-Phase::flux(scene, I, q, axis, e)));
-        r[1] += out_of_control_volume(scene, axis, I + e, Balance::entry_loss(rho, inflow, above));
+        r[1] += out_of_control_volume(scene, axis, I + e, End::lower, Balance::entry_loss(rho, inflow, above));
       }
     }
   }
@@ -172,15 +172,15 @@ struct CrossMomentumFlux {
     const double rho = Phase::density(scene);
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
     if (!scene.inside(I - b)) {
-      r[1] -= out_of_cell(scene, across, I, Number(rho * brought_in(scene, I, q, above)));
+      r[1] -= out_of_cell(scene, across, I, End::lower, Number(rho * brought_in(scene, I, q, above)));
     } else if (!scene.inside(I)) {
-      r[0] += out_of_cell(scene, across, I - b, Number(rho * brought_in(scene, I, q, below)));
+      r[0] += out_of_cell(scene, across, I - b, End::upper, Number(rho * brought_in(scene, I, q, below)));
     } else {
       const Number F =
           face_mean(scene, axis, I, Phase::flux(scene, I, q, across, -1 * a), Phase::flux(scene, I, q, across, {}));
       const Number v = carried(scene, I, q, F);
-      r[0] += out_of_cell(scene, across, I - b, Balance::advection(rho, F, v, below));
-      r[1] -= out_of_cell(scene, across, I, Balance::advection(rho, F, v, above));
+      r[0] += out_of_cell(scene, across, I - b, End::upper, Balance::advection(rho, F, v, below));
+      r[1] -= out_of_cell(scene, across, I, End::lower, Balance::advection(rho, F, v, above));
     }
   }
 

@@ -77,21 +77,23 @@ struct ScalarFluxes {
   static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
                        std::array<Number, count>& r) {
     const Number F = solids_flux<L, SecondOrder>(scene, I, q, axis, {});
-    r[0] += out_of_cell(scene, axis, I - e, F);
-    r[1] -= out_of_cell(scene, axis, I, F);
+    r[0] += out_of_cell(scene, axis, I - e, End::upper, F);
+    r[1] -= out_of_cell(scene, axis, I, End::lower, F);
 
     if constexpr (L::has_T) {
       const double rho_s = scene.solids.kinetic.rho_s;
       const Number T = carried<L, SecondOrder, GranularEnergy>(scene, I, q, axis, F);
       const Number conducted = heat_flux(scene, I, q);
-      r[T_row] +=
-          out_of_cell(scene, axis, I - e, Number(GranularEnergy::advection(rho_s, F, T, q(L::T, -1 * e)) + conducted));
-      r[T_row + 1] -= out_of_cell(scene, axis, I, Number(GranularEnergy::advection(rho_s, F, T, q(L::T)) + conducted));
+      r[T_row] += out_of_cell(scene, axis, I - e, End::upper,
+                              Number(GranularEnergy::advection(rho_s, F, T, q(L::T, -1 * e)) + conducted));
+      r[T_row + 1] -=
+          out_of_cell(scene, axis, I, End::lower, Number(GranularEnergy::advection(rho_s, F, T, q(L::T)) + conducted));
     }
     if constexpr (L::has_chi) {
       const Number chi = carried<L, SecondOrder, FrictionRelaxation>(scene, I, q, axis, F);
-      r[chi_row] += out_of_cell(scene, axis, I - e, FrictionRelaxation::advection(F, chi, q(L::chi, -1 * e)));
-      r[chi_row + 1] -= out_of_cell(scene, axis, I, FrictionRelaxation::advection(F, chi, q(L::chi)));
+      r[chi_row] +=
+          out_of_cell(scene, axis, I - e, End::upper, FrictionRelaxation::advection(F, chi, q(L::chi, -1 * e)));
+      r[chi_row + 1] -= out_of_cell(scene, axis, I, End::lower, FrictionRelaxation::advection(F, chi, q(L::chi)));
     }
   }
 

@@ -47,20 +47,15 @@ struct WallLaws {
         if (!acts(scene, axis, face)) continue;
         const Condition& wall = scene.condition(axis, face);
         if (wall.kind.solids_tangential == SolidsTangential::no_slip)
-          no_slip(scene, I, q, axis, closures[0], wall, r);
+          no_slip(scene, I, q, axis, end_of(side), closures[0], wall, r);
         else
-          johnson_jackson(scene, I, q, axis, strain, closures, wall, r);
+          johnson_jackson(scene, I, q, axis, end_of(side), strain, closures, wall, r);
       }
   }
 
  private:
   static bool acts(const Scene& scene, int axis, const Index& face) {
     return scene.barrier(axis, face) && scene.kind(axis, face).shears_solids();
-  }
-
-  /// From the centre of cell I to a wall on one of its `axis` faces [m].
-  static double distance_to_wall(const Scene& scene, const Index& I, int axis) {
-    return 0.5 * scene.cell_length(axis, I);
   }
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
@@ -84,28 +79,28 @@ struct WallLaws {
 
   /// Adds a stress to the balance of one tangential velocity.
   template <class Number, std::size_t count>
-  static void add_stress(const Scene& scene, const Index& I, int axis, int t, int side, const Number& stress,
+  static void add_stress(const Scene& scene, const Index& I, int axis, End end, int t, int side, const Number& stress,
                          std::array<Number, count>& r) {
     const double below = scene.lower_share(t, I + side * unit(t));
     const double share = side == 0 ? 1 - below : below;  // of the control volume in this cell
-    r[2 * t + side] += out_of_cell(scene, axis, I, Number(share * stress));
+    r[2 * t + side] += out_of_cell(scene, axis, I, end, Number(share * stress));
   }
 
   /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and
   /// wall_sqrt_temperature lead there. nu and the normal stress are those of the cell.
   template <class Number, class Strain, std::size_t count>
-  static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis,
+  static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                               const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
                               std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
     const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
     const Number N = SolidsMomentum::normal_stress(p_f, mu_f, strain.S(axis));
-    const Number k = mu / distance_to_wall(scene, I, axis);
+    const Number k = mu / scene.distance_to_face(axis, I);
     Number sqrt_T_wall = sqrt_T;
     if constexpr (L::has_T) {
       const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, k, N, sqrt_T, wall);
       sqrt_T_wall = at_wall;
-      r[T_row] -= out_of_cell(scene, axis, I, heat);
+      r[T_row] -= out_of_cell(scene, axis, I, end, heat);
     }
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
@@ -117,7 +112,7 @@ struct WallLaws {
                      wall_traction_coefficient(nu_, sqrt_T_, N_, share * share * slip_squared, kinetic, wall.wall);
             },
             q(L::nu), sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
-        add_stress(scene, I, axis, t, side, Number(c * wall_slip(q, wall, t, side)), r);
+        add_stress(scene, I, axis, end, t, side, Number(c * wall_slip(q, wall, t, side)), r);
       }
   }
 
@@ -133,7 +128,7 @@ struct WallLaws {
         mean_slip_squared += 0.5 * (component * component);
       }
     const KineticParameters& kinetic = scene.solids.kinetic;
-    const double distance = distance_to_wall(scene, I, axis);
+    const double distance = scene.distance_to_face(axis, I);
     const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
     const Number kappa = through([&](const auto& nu_, const auto& T_,
                                      const auto& slip_) { return face_conductivity(nu_, T_, slip_, scene.solids); },
@@ -155,13 +150,13 @@ struct WallLaws {
   }
 
   template <class Number, std::size_t count>
-  static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, const Number& mu,
-                      const Condition& wall, std::array<Number, count>& r) {
+  static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
+                      const Number& mu, const Condition& wall, std::array<Number, count>& r) {
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
         const Number& v = q(L::v(t), side * unit(t));
         const Number stress = mu * difference_to_face(scene, axis, I, Number(wall.velocity[t]), v);
-        add_stress(scene, I, axis, t, side, stress, r);
+        add_stress(scene, I, axis, end, t, side, stress, r);
       }
   }
 };

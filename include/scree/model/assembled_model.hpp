@@ -29,6 +29,7 @@ class AssembledModel final : public Model {
         assembly_{Scene(setup.lattice, setup.barriers, setup_.model, setup_.solids), L::count, {}, {}, {}, {}},
         fields_(L::fields(setup.scales)) {
     static_assert(L::nu == solids_fraction, "nu stands first in every node");
+    static_assert(L::count <= most_unknowns, "more unknowns a node than there are bits for their rows");
     for (const Field& field : fields_) {
       assembly_.scale[field.component] = field.scale;
       assembly_.row_scale[field.component] = field.unknown->row_scale(setup_.scales, setup_.solids.kinetic.rho_s);

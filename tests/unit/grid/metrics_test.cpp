@@ -38,8 +38,8 @@ TEST_F(MetricsTest, DifferencesOfLinearFunctionsAreExact) {
 TEST_F(MetricsTest, WhatLeavesACellEntersTheNext) {
   const Axis& x = grid().axis(0);
   for (int i = 1; i < 4; ++i) {
-    const double out = out_of_cell(grid(), 0, Index{{i - 1, 0, 0}}, 2.0) * x.width(i - 1);
-    const double in = out_of_cell(grid(), 0, Index{{i, 0, 0}}, 2.0) * x.width(i);
+    const double out = out_of_cell(grid(), 0, Index{{i - 1, 0, 0}}, End::upper, 2.0) * x.width(i - 1);
+    const double in = out_of_cell(grid(), 0, Index{{i, 0, 0}}, End::lower, 2.0) * x.width(i);
     EXPECT_DOUBLE_EQ(out, in);
   }
 }
@@ -48,8 +48,8 @@ TEST_F(MetricsTest, ControlVolumesFillTheBox) {
   double sum = 0;
   for (int i = 0; i <= 4; ++i) sum += grid().control_length(0, Index{{i, 0, 0}});
   EXPECT_DOUBLE_EQ(sum, 8);
-  EXPECT_DOUBLE_EQ(out_of_control_volume(grid(), 0, Index{}, 1.0), 2);  // half a cell of 1
-  EXPECT_DOUBLE_EQ(out_of_control_volume(grid(), 0, Index{{1, 0, 0}}, 3.0), 2);
+  EXPECT_DOUBLE_EQ(out_of_control_volume(grid(), 0, Index{}, End::upper, 1.0), 2);  // half a cell of 1
+  EXPECT_DOUBLE_EQ(out_of_control_volume(grid(), 0, Index{{1, 0, 0}}, End::lower, 3.0), 2);
 }
 
 TEST_F(MetricsTest, MeansWeighByShare) {
