@@ -85,9 +85,13 @@ echo "Running: ${command[*]}"
 
 # mpirun answers SIGTERM and Ctrl-C by killing its ranks within two seconds, but forwards SIGUSR1. It runs in a process
 # group of its own, so that Ctrl-C comes here alone.
+signal=USR1
 stop_solver() {
-  echo "Stopping: scree writes a checkpoint and ends" >&2
-  kill -USR1 "$solver" 2>/dev/null || true
+  if [ "$signal" = USR1 ]; then
+    echo "Stopping: scree writes a checkpoint and ends; once more ends it at once" >&2
+  fi
+  kill -"$signal" "$solver" 2>/dev/null || true
+  signal=TERM
 }
 set -m
 /usr/bin/python3 -m scree.logged "$output" "${command[@]}" </dev/null &
@@ -102,7 +106,10 @@ trap - TERM INT
 
 plot=$root/scripts/plot_$case_name.py
 if [ -f "$plot" ] && [ -f "$output/monitor.csv" ]; then
-  /usr/bin/python3 "$plot" "$output"
-  echo "Plots: $output/plots"
+  if /usr/bin/python3 "$plot" "$output"; then
+    echo "Plots: $output/plots"
+  else
+    echo "run.sh: the plots failed; the run is whole" >&2
+  fi
 fi
 /usr/bin/python3 "$root/scripts/scree-report" "$output" || echo "run.sh: the report failed; the run is whole" >&2

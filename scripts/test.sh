@@ -6,8 +6,11 @@ usage() {
   cat <<TEXT
 Usage: scripts/test.sh [ctest options]
 Examples: scripts/test.sh              # everything
-          scripts/test.sh -L unit      # one label: unit, jacobian, verification, stability, regression, robustness
+          scripts/test.sh -L unit      # one label
           scripts/test.sh -R Friction  # by name
+
+Labels: unit, jacobian, manufactured, verification, stability, robustness, regression, extension. Tests of the Python
+package (-R python) have the label unit, or regression where they run the program.
 
 Environment: SCREE_BUILD_DIR, CMAKE_BUILD_PARALLEL_LEVEL  see scripts/build.sh
 TEXT

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import paper_runs
-import paper_figures
 from paper_figures import Discharge, discharges
 from paper_runs import GRIDS, STEADY, TABLE
 
@@ -62,7 +61,7 @@ def bubble(directory):
 
 def rise(directory, begin=0.4, end=0.5):
     """Mean speed of the bubble's top between two times [cm/s]."""
-    states = [paper_figures.field_at(directory, time) for time in (begin, end)]
+    states = [output.fields_near(directory, time) for time in (begin, end)]
     tops = [bubble_rise.bubble(state)["top"] for state in states]
     return (tops[1] - tops[0]) / (states[1]["time"] - states[0]["time"])
 

@@ -1,8 +1,8 @@
 """Runs a command and keeps what it says: python3 -m scree.logged OUT_DIR COMMAND ...
 
-Standard output and standard error go on to where ours go, and both to a file in OUT_DIR, see KeptLog. On a terminal the command has a
-terminal too, so that the program shows its progress in one line; of such a line the log keeps the last state. SIGUSR1,
-SIGTERM and SIGINT go on to the command; its exit code is ours."""
+Standard output and standard error go on to where ours go, and both to a file in OUT_DIR, see KeptLog. On a terminal
+the command has a terminal too, so that the program shows its progress in one line; of such a line the log keeps the
+last state. SIGUSR1, SIGTERM and SIGINT go on to the command; its exit code is ours."""
 import os
 import pty
 import signal

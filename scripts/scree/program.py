@@ -8,7 +8,7 @@ from pathlib import Path
 
 from scree import case_file
 
-STOP_SECONDS = 60  # that a run may take to write its checkpoint when it is stopped
+STOP_SECONDS = 600  # that a run may take to end its step and write its checkpoint when it is stopped
 
 
 class RunError(RuntimeError):
@@ -94,7 +94,8 @@ def start(words, log, **more):
 
 
 def stop(process):
-    """Ends a run after the step under way, with a checkpoint: mpirun passes SIGUSR1 on to its ranks."""
+    """Ends a run after the step under way, with a checkpoint: mpirun passes SIGUSR1 on to its ranks. Another interrupt
+    meanwhile ends it at once."""
     with contextlib.suppress(ProcessLookupError):
         process.send_signal(signal.SIGUSR1)
     try:
@@ -175,7 +176,7 @@ def run(case, ranks=2, program=None, **options):
     a new directory below out/. What the program says goes to the file `log` in the output directory.
 
     Raises RunError with the program's error, FileNotFoundError where there is no such case. When interrupted the run
-    writes a checkpoint first."""
+    writes a checkpoint first; when interrupted again it ends at once."""
     program = Path(program or default_program())
     check_program(program)
     file = case_file.find(case)

@@ -4,6 +4,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 from pathlib import Path
@@ -118,6 +119,33 @@ class Logged(Place):
         self.assertEqual(process.returncode, 0)
         self.assertLess(scree.open(self.out).summary["time"], 10)
         self.assertTrue(list((self.out / "checkpoints").glob("*.h5")))
+
+
+class Stopping(Place):
+    def start(self, on_signal):
+        """A program that answers SIGUSR1 with on_signal(), and takes a minute by itself."""
+        ready = self.place / "ready"
+        text = (f"import pathlib, signal, sys, time; signal.signal(signal.SIGUSR1, lambda *_: {on_signal}); "
+                f"pathlib.Path({str(ready)!r}).touch(); deadline = time.monotonic() + 60\n"
+                "while time.monotonic() < deadline: time.sleep(0.1)")
+        process = program.start([sys.executable, "-c", text], self.place / "log")
+        self.addCleanup(program.end_group, process)
+        while not ready.exists():
+            time.sleep(0.02)
+        return process
+
+    def test_a_program_that_ends_by_itself_is_waited_for(self):
+        process = self.start("(time.sleep(2), sys.exit(3))")
+        program.stop(process)
+        self.assertEqual(process.returncode, 3)
+
+    def test_a_second_interrupt_ends_it_at_once(self):
+        process = self.start("None")
+        begun = time.monotonic()
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        program.stop(process)
+        self.assertEqual(process.returncode, -signal.SIGTERM)
+        self.assertLess(time.monotonic() - begun, 20)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The guide: its blocks of YAML are the files of cases/guide, all of them run, and its tables name what runs leave."""
 import re
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -54,6 +55,15 @@ for name in ("step3", "step4"):  # 25 cm x 8 cm x 1 cm at 0.6 of 2500 kg/m3
     checks.close(f"{name}: mass at the start [kg]", column(name, "mass")[0], 0.3, relative=1e-9)
 checks.true("step5: air above the orifice is thinned or squeezed", np.ptp(column("step5", "above_gas_pressure")) > 1)
 checks.true("step6: the bed rises", column("step6", "bed_height")[-1] > column("step6", "bed_height")[0])
+
+# ---- the plots ----
+
+PLOT = ROOT / "scripts" / "plot_guide.py"
+for name, more in (("step1", []), ("step5", ["--field", "gas_pressure"])):
+    drawn = subprocess.run(["/usr/bin/python3", PLOT, runs[name].directory, *more], capture_output=True, text=True)
+    checks.equal(f"{name}: exit code of plot_guide.py", drawn.returncode, 0)
+    picture = runs[name].directory / "plots" / "fields.png"
+    checks.true(f"{name}: its picture", picture.exists() and picture.stat().st_size > 10000, drawn.stderr)
 
 # ---- the tables ----
 

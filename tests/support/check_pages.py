@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks the pages: sentences of at most 25 words, a zero before the decimal point, links to files and headings that
 exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences. Pages that sources
-name, in comments or elsewhere, exist too.
+name, in comments or elsewhere, exist too, and so do the files `scripts/...` that pages or sources name.
 
 Usage: check_pages.py [--figures] [SOURCE_DIRECTORY]     (default: the checkout that this file is in)
 
@@ -25,6 +25,8 @@ GENERATED_END = "<!-- end -->"
 ABBREVIATIONS = re.compile(r"\b(?:e\.g|i\.e|etc|vs|Figs?|al|No|Technol)\.(?=\s)")
 #: In $...$ Markdown takes these for its own; in $`...`$ they are safe.
 UNSAFE_MATHS = re.compile(r"\$[^$`]*(?:\\[,;:!{}|%#]|\*)[^$`]*\$")
+#: A file beneath scripts/; a name with a gap such as plot_<case>.py is none.
+SCRIPT = re.compile(r"(?<![\w./-])scripts/[\w./-]*\w(?![\w./-]*[<{*$])")
 CITED = re.compile(r"\w[\w./-]*\.md\b")
 BARE_DECIMAL = re.compile(r"(?<![\w.)])\.\d")
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
@@ -138,6 +140,14 @@ def citation_problems(root, names):
                     yield f"{path.relative_to(root)}:{number}: names {cited}, which is not in the repository"
 
 
+def script_problems(root, text):
+    """Files of scripts/ that a page or a source names although they are not there."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for cited in SCRIPT.findall(line):
+            if not (root / cited).exists():
+                yield number, f"names {cited}, which is not in the repository"
+
+
 def block_problems(text):
     """Blocks that do not end: what follows them would be read as code."""
     fences = [number for number, line in enumerate(text.splitlines(), 1) if FENCE.match(line)]
@@ -182,6 +192,10 @@ def main():
     problems = []
     pages = files(root, "*.md")
     problems += citation_problems(root, [str(page.relative_to(root)) for page in pages])
+    for path in files(root, *SOURCES, "*.md"):
+        if not path.name.startswith("check_pages"):
+            problems += [f"{path.relative_to(root)}:{number}: {problem}"
+                         for number, problem in script_problems(root, path.read_text())]
     for path in pages:
         name, text = str(path.relative_to(root)), path.read_text()
         if name.endswith("/page.md"):  # a form that a script fills in

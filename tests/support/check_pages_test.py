@@ -15,6 +15,8 @@ FAULTS = {
     "outside the repository": "See [there](../page.md).",
     "or Markdown changes it": r"The root $\{x\}$ is real.",
     "does not end": "```\ncode",
+    "names scripts/gone.py": "`scripts/gone.py out`, `scripts/there.py`, scripts/plot_<case>.py.",
+    "names scripts/gone": "```\nscripts/gone out\n```",
     "marked parts begin": "<!-- generated: options -->\ntext",
 }
 GOOD = f"# Heading\n\nSee [there](#heading), 0.5 s.\n\n    {LONG} .5\n\n```\n{LONG} .5\n```\n\nThe root $`\\{{x\\}}`$.\n"
@@ -23,11 +25,14 @@ GOOD = f"# Heading\n\nSee [there](#heading), 0.5 s.\n\n    {LONG} .5\n\n```\n{LO
 def problems(folder, text):
     """What the checker prints for a repository with this page alone."""
     page = folder / "repository" / "README.md"
+    (page.parent / "scripts").mkdir(parents=True, exist_ok=True)
     page.write_text(text)
     (folder / "page.md").write_text("beside the repository")
+    (page.parent / "scripts" / "there.py").write_text("")
     root = page.parent.resolve()
     found = [*check_pages.link_problems(root, page.resolve(), text), *check_pages.block_problems(text),
-             *check_pages.language_problems(text), *check_pages.maths_problems(text)]
+             *check_pages.language_problems(text), *check_pages.maths_problems(text),
+             *check_pages.script_problems(root, text)]
     return [problem for _, problem in found]
 
 

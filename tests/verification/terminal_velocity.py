@@ -1,5 +1,4 @@
 """T11: terminal velocity of thin suspensions, and their mixture law at finite nu: (1-nu) w g rho = drag."""
-import numpy as np
 from gas_relations import check_balances, settling_slip
 from scree_program import EXACT, Checks, Program
 
