@@ -24,12 +24,11 @@ Measures::Measures(const Case& the_case, const DiscreteProblem& problem)
       problem_(problem),
       with_gas_(problem.model().component<GasContinuity>() >= 0),
       has_gas_velocity_(problem.model().component<GasMomentum>() >= 0),
+      T_(problem.model().component<GranularEnergy>()),
       derived_(derived_fields(problem.setup().model, problem.setup().solids)) {
   const double missing =
       std::pow(the_case.output.depth, max_dim - the_case.box.dim);  // extent of the axes that are not there
   mass_per_volume_ = the_case.kinetic.rho_s * missing * the_case.output.mirror;
-  for (const Field& field : problem.model().fields())
-    if (field.is<GranularEnergy>()) T_ = field.component;
 }
 
 std::vector<Quantity> Measures::quantities(double time, Vec state) const {

@@ -52,7 +52,8 @@ std::vector<std::string> PetscSession::unused() const {
   std::vector<std::string> keys;
   for (const PetscOption& option : options_) {
     bool of_solver = false;  // others may be asked for at the very end
-    for (const char* start : {"ts_", "snes_", "ksp_", "pc_", "mat_", "sub_", "mg_", "fieldsplit_", "inner_", "npc_"})
+    for (const char* start : {"ts_", "snes_", "ksp_", "pc_", "mat_", "sub_", "mg_", "fieldsplit_", "inner_", "npc_",
+                              "gas_start_", "gas_projection_"})
       of_solver = of_solver || option.key.rfind(start, 0) == 0;
     PetscBool used = PETSC_TRUE;
     if (of_solver && PetscOptionsUsed(nullptr, option.key.c_str(), &used) == 0 && !used) keys.push_back(option.key);

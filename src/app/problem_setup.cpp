@@ -1,27 +1,11 @@
 #include "scree/app/problem_setup.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "scree/balances/layout.hpp"
 
 namespace scree {
 
 namespace {
-
-/// Whether particles are there from the start or come in.
-bool has_particles(const Case& the_case) {
-  const auto brings = [](const Segment& s) {
-    return s.condition.kind.brings_solids() && s.condition.brought(SolidsContinuity::unknown) > 0;
-  };
-  const auto holds = [](const InitialRegion& r) {
-    return r.has_own_solids_fraction() || r.uniform_solids_fraction() > 0;
-  };
-  return the_case.gas.model == GasModel::none ||
-         std::any_of(the_case.segments.begin(), the_case.segments.end(), brings) ||
-         std::any_of(the_case.initial.begin(), the_case.initial.end(), holds);
-}
 
 /// Unless the case says otherwise V = sqrt(g d) and time V/g.
 Scales scales_of(const Case& the_case) {
@@ -33,7 +17,8 @@ Scales scales_of(const Case& the_case) {
                     : g > 0                     ? std::sqrt(g * the_case.kinetic.d)
                                                 : 0.1;
   scales.time = g > 0 ? scales.velocity / g : the_case.kinetic.d / scales.velocity;
-  scales.density = has_particles(the_case) ? the_case.kinetic.rho_s : the_case.gas.rho_g;
+  const bool particles = the_case.gas.model == GasModel::none || the_case.has_particles();
+  scales.density = particles ? the_case.kinetic.rho_s : the_case.gas.rho_g;
   return scales;
 }
 

@@ -12,6 +12,7 @@
 #include "scree/app/simulation.hpp"
 #include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
+#include "scree/output/errors.hpp"
 
 namespace scree {
 
@@ -38,6 +39,18 @@ void print_case(const Case& the_case) {
   print(the_case.effective_yaml);
 }
 
+const char* const no_memory = "the memory of this machine is too small for the case";
+
+/// Memory that one rank lacks ends all, before the end of PETSc, which would wait for the others.
+void simulate(const Case& the_case, const Parts& parts, Progress& log) {
+  try {
+    Simulation(PETSC_COMM_WORLD, the_case, parts.models, log).run();
+  } catch (const std::bad_alloc&) {
+    end_all_ranks(no_memory);
+    throw;
+  }
+}
+
 void run_case(const char* program, const CaseInput& input, const Parts& parts) {
   const Case the_case = read_case(input, parts.catalogue);
   const PetscSession petsc(program, the_case.petsc_options);
@@ -46,7 +59,7 @@ void run_case(const char* program, const CaseInput& input, const Parts& parts) {
   if (the_case.check_only) return print_case(the_case);
   Progress log(PETSC_COMM_WORLD);
   for (const std::string& remark : the_case.remarks) log.remark("%s", remark.c_str());
-  Simulation(PETSC_COMM_WORLD, the_case, parts.models, log).run();
+  simulate(the_case, parts, log);
   for (const std::string& key : petsc.unused()) log.remark("%s is not used: PETSc has not asked for it", key.c_str());
 }
 
@@ -65,14 +78,16 @@ void run(const char* program, const CommandLine& line, const Parts& parts) {
 
 }  // namespace
 
-int run_program(int argc, char** argv, const Parts& parts) {
+int run_program(int argc, char** argv, Parts parts) {
+  parts.catalogue.further_unknowns = parts.models.further;
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, not the end of the process
   MPI_Init(&argc, &argv);
   int status = 0;
   try {
     run(argv[0], read_command_line({argv + 1, argv + argc}), parts);
   } catch (const std::bad_alloc&) {
-    status = complain("the memory of this machine is too small for the case");
+    end_all_ranks(no_memory);
+    status = complain(no_memory);
   } catch (const std::exception& error) {
     status = complain(error.what());
   }

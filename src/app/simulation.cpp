@@ -20,8 +20,7 @@ namespace {
 
 PresetTrial::Rule trial_rule(const Case& the_case) {
   if (the_case.gas.model == GasModel::none) return PresetTrial::without_gas;
-  return the_case.friction.model == FrictionModel::none ? PresetTrial::with_gas_without_friction
-                                                        : PresetTrial::with_gas;
+  return the_case.friction.model->has_friction ? PresetTrial::with_gas : PresetTrial::with_gas_without_friction;
 }
 
 }  // namespace
@@ -39,7 +38,6 @@ Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& 
       clock_(comm),
       trial_(trial_rule(the_case)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
-  print_solver();
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(case_));
   check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
   measures_ = std::make_unique<Measures>(case_, problem_);
@@ -83,6 +81,7 @@ void Simulation::reconsider_preset(const StepReport& report) {
 }
 
 void Simulation::start_new() {
+  print_solver();
   set_initial_state(case_, problem_, stepper_->state());
   make_gas_consistent();
   check_petsc(problem_.solids_volume(stepper_->state(), &totals_.initial_volume), "solids volume");
@@ -111,6 +110,7 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
   restore_members(saved, "", trial_.state());
+  print_solver();
   check_petsc(stepper_->change_preconditioner(solver_options()), "restart");
   check_petsc(problem_.update_conditions(time), "restart");
   check_petsc(stepper_->restart_after_event(), "restart");
@@ -124,10 +124,15 @@ void Simulation::restart() {
 
 void Simulation::restore_average(const Checkpoint& saved) {
   if (!average_) return;
-  if (saved.has("average")) {
+  const double from = case_.output.average_from;
+  const auto before = saved.scalars.find("average_from");
+  if (before != saved.scalars.end() && before->second != from) {
+    log_.remark("output_average_from = %g s is another than the %g s of %s: averages begin anew", from, before->second,
+                saved.file.c_str());
+  } else if (saved.has("average")) {
     check_petsc(VecCopy(saved.vector("average"), average_->sum()), "restart");
     restore_members(saved, "", *average_);
-  } else if (saved.scalar("time") > case_.output.average_from) {
+  } else if (saved.scalar("time") > from) {
     log_.remark("output_average_from: %s holds no averages, they begin at its time", saved.file.c_str());
   }
 }
@@ -304,6 +309,7 @@ void Simulation::write_checkpoint() {
   NamedVecs vectors{{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}};
   if (average_) {
     store_members(*average_, "", scalars);
+    scalars["average_from"] = case_.output.average_from;
     vectors.push_back({"average", average_->sum()});
   }
   scree::write_checkpoint(case_.output.directory, static_cast<int>(totals_.steps), case_.box, problem_.dm(),

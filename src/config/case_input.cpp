@@ -48,7 +48,13 @@ void CaseInput::insert_overrides(const std::string& file) {
   insert(read_case_file(file, "it is a file of overrides").entries);
 }
 
-void CaseInput::set(const std::string& key, const std::string& text) { put(lower_case(key), {text, "", "", false}); }
+void CaseInput::set(const std::string& key, const std::string& text) {
+  const auto before = entries_.find(lower_case(key));
+  Given given = before == entries_.end() ? Given() : before->second;  // in the same section, of the same item
+  given.text = text;
+  given.place.clear();
+  put(lower_case(key), given);
+}
 
 const std::string* CaseInput::find(const std::string& key) const {
   const auto entry = entries_.find(key);

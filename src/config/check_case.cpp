@@ -114,14 +114,13 @@ void check_region(const Case& the_case, const InitialRegion& region) {
   if (std::count_if(g.begin(), g.end(), [](double component) { return component != 0; }) != 1)
     throw InputError(key + "profile", "equilibrium",
                      "gravity along one axis, but gravity is " + point_text(g, the_case.box.dim));
-  if (the_case.friction.model == FrictionModel::none)
+  if (!the_case.friction.model->has_friction)
     throw InputError(key + "profile", "equilibrium",
                      "a friction_model other than none, for p_c (18) carries the column");
 }
 
 void check_friction(const FrictionParameters& friction) {
-  const bool with_chi = friction.model == FrictionModel::relaxed || friction.model == FrictionModel::instantaneous;
-  if (with_chi && !(friction.n_dilation > 1))
+  if (friction.model->uses_flow_rule && !(friction.n_dilation > 1))
     throw InputError("friction_exponent_dilation", number_text(friction.n_dilation),
                      "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");
 }

@@ -42,15 +42,8 @@ void add_cuts(const Ramp& history, std::set<double>& cuts) {
 
 /// Solids fraction that a place has at least from the start: profiles and tables count for nothing.
 double initial_solids(const Case& the_case, const std::array<double, max_dim>& place) {
-  double nu = 0;
-  for (const InitialRegion& region : the_case.initial) {
-    bool there = region.gives_solids_fraction();
-    for (int axis = 0; axis < the_case.box.dim; ++axis)
-      there = there && place[axis] >= region.lower[axis] && place[axis] <= region.upper[axis];
-    if (!there) continue;
-    nu = region.has_own_solids_fraction() ? 0 : region.find(SolidsContinuity::unknown)->value[0];
-  }
-  return nu;
+  const InitialRegion* region = the_case.solids_region(place);
+  return region && !region->has_own_solids_fraction() ? region->uniform_solids_fraction() : 0;
 }
 
 std::vector<Patch> boxes_of(const std::vector<InitialRegion>& regions) {
@@ -86,7 +79,7 @@ class WaysOut {
     for (const double time : times()) {
       for (int part = 0; part < parts_.count(); ++part) {
         const std::vector<Exposed> bounds = bounds_of(part, time);
-        if (is_open(bounds)) continue;
+        if (has_side(bounds, &BoundaryKind::open_to_gas)) continue;
         const std::string expected =
             "an open side, where the gas can leave; there is none at time " + number_text(time) + " s" + around(part);
         for (const auto& [segment, area] : bounds) {
@@ -99,7 +92,7 @@ class WaysOut {
     }
   }
 
-  /// Without gas: particles fill a part that is never open; they have to find room until the end.
+  /// Without gas: particles fill a part that never lets them out; they have to find room until the end.
   void check_room() const {
     for (int part = 0; part < parts_.count(); ++part) {
       const std::vector<double> middle = times();
@@ -111,7 +104,7 @@ class WaysOut {
         const double duration = 2 * (time - *cut);
         ++cut;
         const std::vector<Exposed> bounds = bounds_of(part, time);
-        open = open || is_open(bounds);
+        open = open || has_side(bounds, &BoundaryKind::lets_solids_out);
         for (const auto& [segment, area] : bounds) {
           inflow += particle_inflow(*segment) * area * duration;
           if (particle_inflow(*segment) > 0) inlet = segment;
@@ -139,9 +132,10 @@ class WaysOut {
     return found;
   }
 
-  static bool is_open(const std::vector<Exposed>& bounds) {
+  /// Whether a kind among them answers yes.
+  static bool has_side(const std::vector<Exposed>& bounds, bool (BoundaryKind::*asked)() const) {
     return std::any_of(bounds.begin(), bounds.end(),
-                       [](const Exposed& exposed) { return exposed.segment->condition.kind.open_to_gas(); });
+                       [&](const Exposed& exposed) { return (exposed.segment->condition.kind.*asked)(); });
   }
 
   double room_in(int part) const {

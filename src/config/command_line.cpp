@@ -30,7 +30,7 @@ CommandLine read_command_line(const std::vector<std::string>& arguments) {
   std::size_t at = 0;
   if (!arguments.empty() && arguments[0].compare(0, 1, "-") != 0) line.case_file = arguments[at++];
   while (at < arguments.size()) {
-    const std::string key = key_of(arguments[at]);
+    const std::string key = lower_case(key_of(arguments[at]));
     if (key.empty())
       throw InputError("command line", arguments[at], "options as -key value, and a value with blanks in quotes");
     const bool with_value = at + 1 < arguments.size() && key_of(arguments[at + 1]).empty();

@@ -14,7 +14,7 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
   for (const FrictionModel model : friction_models()) models.emplace_back(model->name, model);
   o.choice("friction_model", friction.model, models, variant_text("frictional stress", friction_models()));
   const bool some = friction.model->has_friction;
-  const bool with_chi = friction.model == FrictionModel::relaxed || friction.model == FrictionModel::instantaneous;
+  const bool with_chi = friction.model->uses_flow_rule;
   const std::string absent = "friction_model is none";
   const std::string no_chi = "friction_model is neither relaxed nor instantaneous";
 

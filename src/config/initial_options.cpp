@@ -7,8 +7,11 @@ namespace {
 InitialRegion empty_box(const std::vector<const Unknown*>& unknowns) {
   InitialRegion region;
   region.name = "default";
-  for (const Unknown* unknown : unknowns)
-    if (unknown->initial.text) region.values.push_back({unknown, {unknown->initial.otherwise}});
+  for (const Unknown* unknown : unknowns) {
+    if (!unknown->initial.text) continue;
+    region.values.push_back({unknown, {}});
+    region.values.back().value.fill(unknown->initial.otherwise);
+  }
   return region;
 }
 
@@ -26,7 +29,8 @@ void declare_profile(OptionSet& o, const std::string& key, const GridInput& grid
   o.real(key + "janssen_width", region.janssen_width, "m", non_negative(),
          "equilibrium with wall friction in a plane bin of this width; 0: without")
       .used_if(equilibrium, uniform);
-  o.text(key + "table", region.table, "a file", "lines 'coordinate solids_fraction', in SI, interpolated");
+  o.file(key + "table", region.table,
+         "lines 'coordinate solids_fraction', in SI, interpolated; beside the case file that names it");
   o.choice(key + "table_axis", region.table_axis, axis_choices(o, grid.dim), "axis of the table's coordinate")
       .used_if(!region.table.empty() || o.describing(), "there is no table");
 }

@@ -152,11 +152,7 @@ void add_petsc(Json& patterns) {
 }  // namespace
 
 std::string json_schema(const Catalogue& catalogue) {
-  OptionSet options;
-  GridInput grid;
-  Case the_case;
-  the_case.catalogue = catalogue;
-  declare_all(options, grid, the_case);
+  const OptionSet options = declared(OptionSet(), catalogue);
 
   Json definitions = Json::object(), patterns = Json::object();
   Keys plain;

@@ -12,29 +12,10 @@ constexpr double dense = 0.5;        ///< solids fraction of a bed, whose partic
 
 using Point = std::array<double, max_dim>;
 
-/// The last region there that gives a solids fraction.
 bool bed_at(const Case& the_case, const Point& place) {
-  bool bed = false;
-  for (const InitialRegion& region : the_case.initial) {
-    bool there = region.gives_solids_fraction();
-    for (int axis = 0; axis < the_case.box.dim; ++axis)
-      there = there && place[axis] >= region.lower[axis] && place[axis] <= region.upper[axis];
-    if (there) bed = region.profile == InitialRegion::Profile::equilibrium || region.uniform_solids_fraction() >= dense;
-  }
-  return bed;
-}
-
-bool brings_particles(const Condition& condition) {
-  return condition.kind.brings_solids() && condition.brought(SolidsContinuity::unknown) > 0;
-}
-
-bool has_particles(const Case& the_case) {
-  for (const InitialRegion& region : the_case.initial) {
-    if (region.has_own_solids_fraction() || region.uniform_solids_fraction() > 0) return true;
-  }
-  for (const Segment& segment : the_case.segments)
-    if (brings_particles(segment.condition)) return true;
-  return false;
+  const InitialRegion* region = the_case.solids_region(place);
+  return region &&
+         (region->profile == InitialRegion::Profile::equilibrium || region->uniform_solids_fraction() >= dense);
 }
 
 bool mirrored(const Case& the_case, int axis, bool upper) {
@@ -97,13 +78,13 @@ Point behind(const Case& the_case, const Segment& segment) {
   return place;
 }
 
-/// `open` prescribes no stress: a bed on a part of a side keeps its pressure and stays.
+/// What lets particles out prescribes no stress: a bed on a part of a side keeps its pressure and stays.
 void add_outlet(const Case& the_case, const Segment& segment, std::vector<std::string>& remarks) {
   const bool whole = std::isinf(narrowest(the_case, segment.patch, segment.axis));
-  const bool carries = the_case.friction.model != FrictionModel::none && the_case.model.solids_moving;
+  const bool carries = the_case.friction.model->has_friction && the_case.model.solids_moving;
   if (whole || !carries || !bed_at(the_case, behind(the_case, segment))) return;
-  remarks.push_back("boundary_" + segment.condition.name +
-                    "_kind = open is odd: a bed lies on this part of a side and may not pass it; put a plate with the "
+  remarks.push_back("boundary_" + segment.condition.name + "_kind = " + std::string(segment.condition.kind.name) +
+                    " is odd: a bed lies on this part of a side and may not pass it; put a plate with the "
                     "opening some cells inside and leave the whole side open");
 }
 
@@ -111,7 +92,7 @@ void add_outlet(const Case& the_case, const Segment& segment, std::vector<std::s
 
 std::vector<std::string> odd_numbers(const Case& the_case) {
   std::vector<std::string> remarks;
-  if (!has_particles(the_case)) return remarks;
+  if (!the_case.has_particles()) return remarks;
   add_box(the_case, remarks);
   for (const Plate& plate : the_case.plates) {
     for (const Patch& opening : plate.openings)

@@ -7,15 +7,6 @@ namespace scree {
 
 namespace {
 
-OptionSet all_options(const Catalogue& catalogue) {
-  OptionSet options;
-  GridInput grid;
-  Case the_case;
-  the_case.catalogue = catalogue;
-  declare_all(options, grid, the_case);
-  return options;
-}
-
 std::string without_bars(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
   return text;
@@ -36,7 +27,7 @@ std::string help_text(const Catalogue& catalogue) {
   std::ostringstream out;
   out << introduction;
   std::string group;
-  const OptionSet options = all_options(catalogue);
+  const OptionSet options = declared(OptionSet(), catalogue);
   for (const OptionEntry& entry : options.entries()) {
     if (entry.group != group) out << "\n" << entry.group << "\n";
     group = entry.group;
@@ -50,7 +41,7 @@ std::string help_text(const Catalogue& catalogue) {
 std::string option_table_markdown(const Catalogue& catalogue) {
   std::ostringstream out;
   out << "| symbol | option | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
-  const OptionSet options = all_options(catalogue);
+  const OptionSet options = declared(OptionSet(), catalogue);
   for (const OptionEntry& entry : options.entries()) {
     out << "| " << entry.symbol_ << " | `" << entry.key << "` | " << entry.unit << " | "
         << without_bars(entry.default_value) << " | " << without_bars(entry.allowed) << " | "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace scree {
@@ -250,6 +251,19 @@ OptionEntry& OptionSet::text(const std::string& key, std::string& value, const s
     value = word(entry, *input, what);
   }
   entry.value = value.empty() ? "" : yaml_quoted(value);
+  return entry;
+}
+
+OptionEntry& OptionSet::file(const std::string& key, std::string& value, const std::string& text) {
+  namespace fs = std::filesystem;
+  OptionEntry& entry = this->text(key, value, "a file", text);
+  if (!entry.given || value.empty()) return entry;
+  const std::string place = input_->place_of(key);  // file:line
+  const fs::path path = fs::path(place.substr(0, place.rfind(':'))).parent_path() / value;
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  value = (error ? path : absolute).lexically_normal().string();
+  entry.value = yaml_quoted(value);
   return entry;
 }
 

@@ -16,15 +16,6 @@ void clip_regions(const Box& box, std::vector<InitialRegion>& regions) {
   }
 }
 
-OptionSet known_options(const CaseInput& input, const Catalogue& catalogue) {
-  OptionSet known(input, OptionSet::Mode::describe);
-  GridInput grid;
-  Case the_case;
-  the_case.catalogue = catalogue;
-  declare_all(known, grid, the_case);
-  return known;
-}
-
 }  // namespace
 
 void declare_all(OptionSet& o, GridInput& grid, Case& the_case) {
@@ -43,6 +34,14 @@ void declare_all(OptionSet& o, GridInput& grid, Case& the_case) {
   if (the_case.catalogue.further_options) the_case.catalogue.further_options(o);
 }
 
+OptionSet declared(OptionSet options, const Catalogue& catalogue) {
+  GridInput grid;
+  Case the_case;
+  the_case.catalogue = catalogue;
+  declare_all(options, grid, the_case);
+  return options;
+}
+
 namespace {
 
 std::vector<PetscOption> petsc_options(const CaseInput& input) {
@@ -53,7 +52,7 @@ std::vector<PetscOption> petsc_options(const CaseInput& input) {
 }
 
 Case understood(const CaseInput& input, const Catalogue& catalogue) {
-  check_keys(input, known_options(input, catalogue));
+  check_keys(input, declared(OptionSet(input, OptionSet::Mode::describe), catalogue));
 
   OptionSet options(input, OptionSet::Mode::read);
   GridInput grid;

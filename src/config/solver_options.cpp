@@ -12,7 +12,7 @@ void declare_solver(OptionSet& o, Case& the_case) {
                 {"multigrid", SolverPreset::multigrid},
                 {"fieldsplit", SolverPreset::fieldsplit}},
                "named set of PETSc options for the linear systems")
-          .default_from(
+          .unset_by_default(  // one written into the effective case would be given when that is run again
               "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")
           .given;
   o.boolean("solver_extrapolate", the_case.solver.extrapolate, "first guess of a step by extrapolation");

@@ -86,14 +86,10 @@ namespace {
                            " nodes or more along an axis that is shared");
 }
 
-/// Has `dm` split over the ranks in a way that works. PETSc would find out for each rank alone whether its part is wide
-/// enough: some would end, the others wait for them.
-PetscErrorCode set_rank_split(MPI_Comm comm, const Box& box, int stencil_width, DM dm) {
+/// What of `dm` decides how it can be split over ranks.
+PetscErrorCode shared_grid(const Box& box, int stencil_width, DM dm, SharedGrid& grid) {
   PetscFunctionBeginUser;
-  int ranks;
   PetscInt nodes[max_dim], given[max_dim];
-  SharedGrid grid;
-  PetscCallMPI(MPI_Comm_size(comm, &ranks));
   PetscCall(DMDAGetInfo(dm, nullptr, &nodes[0], &nodes[1], &nodes[2], &given[0], &given[1], &given[2], nullptr, nullptr,
                         nullptr, nullptr, nullptr, nullptr));
   grid.stencil_width = stencil_width;
@@ -102,15 +98,11 @@ PetscErrorCode set_rank_split(MPI_Comm comm, const Box& box, int stencil_width, 
     grid.periodic[axis] = box.periodic[axis];
     grid.given[axis] = std::max(0, static_cast<int>(given[axis]));
   }
-  const auto split = split_over_ranks(grid, ranks);
-  if (!split) refuse_ranks(box, grid, ranks);
-  if (box.dim > 1) PetscCall(DMDASetNumProcs(dm, (*split)[0], (*split)[1], (*split)[2]));
   PetscFunctionReturn(0);
 }
 
-}  // namespace
-
-PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
+/// A DMDA with its options, not yet set up.
+PetscErrorCode begin_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
   PetscFunctionBeginUser;
   DMBoundaryType ends[max_dim];
   PetscInt nodes[max_dim] = {1, 1, 1};
@@ -129,9 +121,28 @@ PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stenci
                            PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, unknowns, stencil_width, nullptr, nullptr, nullptr,
                            dm));
   PetscCall(DMSetFromOptions(*dm));
-  PetscCall(set_rank_split(comm, box, stencil_width, *dm));
-  PetscCall(DMSetUp(*dm));
   PetscFunctionReturn(0);
+}
+
+}  // namespace
+
+/// The DMDA is split over the ranks in a way that works. PETSc would find out for each rank alone whether its part is
+/// wide enough: some would end, the others wait for them. No PetscFunctionBegin: PETSc's stack would keep what an
+/// exception leaves.
+PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm) {
+  SharedGrid grid;
+  int ranks;
+  PetscCallMPI(MPI_Comm_size(comm, &ranks));
+  PetscCall(begin_dm(comm, box, unknowns, stencil_width, dm));
+  PetscCall(shared_grid(box, stencil_width, *dm, grid));
+  const auto split = split_over_ranks(grid, ranks);
+  if (!split) {
+    PetscCall(DMDestroy(dm));
+    refuse_ranks(box, grid, ranks);
+  }
+  if (box.dim > 1) PetscCall(DMDASetNumProcs(*dm, (*split)[0], (*split)[1], (*split)[2]));
+  PetscCall(DMSetUp(*dm));
+  return 0;
 }
 
 }  // namespace scree

@@ -106,10 +106,25 @@ void prepare(const fs::path& directory, const std::string& restart, bool overwri
   for (const fs::path& file : old) fs::remove(file);
 }
 
+/// The number at the end of the name of such a file: 12 for fields/000012.h5 and lines/axis_000012.csv; -1: none.
+int index_of(const fs::path& file) {
+  const std::string stem = file.stem().string(), number = stem.substr(stem.find_last_of('_') + 1);
+  return is_number(number) && number.size() < 10 ? std::stoi(number) : -1;
+}
+
 }  // namespace
 
 void prepare_directory(MPI_Comm comm, const std::string& path, const std::string& restart, bool overwrite) {
   on_first_rank(comm, [&] { prepare(fs::path(path), restart, overwrite); });
+}
+
+void remove_later_outputs(MPI_Comm comm, const std::string& path, int index) {
+  on_first_rank(comm, [&] {
+    for (const fs::path& file : files_of_run(path)) {
+      const std::string place = file.parent_path().filename().string();
+      if ((place == "fields" || place == "lines") && index_of(file) >= index) fs::remove(file);
+    }
+  });
 }
 
 }  // namespace scree

@@ -1,5 +1,6 @@
 #include "scree/output/errors.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 
 namespace scree {
@@ -44,11 +45,21 @@ void on_first_rank(MPI_Comm comm, const std::function<void()>& work) {
 
 std::string broadcast(MPI_Comm comm, std::string text) { return broadcast_from(comm, 0, std::move(text)); }
 
+void end_all_ranks(const char* message) {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks == 1) return;
+  std::fprintf(stderr, "scree: %s\n", message);
+  MPI_Abort(MPI_COMM_WORLD, 1);
+}
+
 void check_petsc(PetscErrorCode code, const char* doing) {
   if (code == 0) return;
   const char* text = nullptr;
   PetscErrorMessage(code, &text, nullptr);
-  throw std::runtime_error(std::string(doing) + ": " + (text ? text : "PETSc error " + std::to_string(code)));
+  const std::string message = std::string(doing) + ": " + (text ? text : "PETSc error " + std::to_string(code));
+  end_all_ranks(message.c_str());
+  throw std::runtime_error(message);
 }
 
 }  // namespace scree

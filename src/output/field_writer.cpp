@@ -10,6 +10,7 @@
 #include "scree/grid/axis_name.hpp"
 #include "scree/grid/ghosted.hpp"
 #include "scree/output/atomic_file.hpp"
+#include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/output/hdf5_file.hpp"
 #include "scree/output/node_block.hpp"
@@ -170,6 +171,9 @@ FieldWriter::FieldWriter(std::string directory, const Box& box, DM dm, std::vect
   const double last = *restart_time + 1e-14 * std::abs(*restart_time);
   entries_.erase(std::remove_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return !(e.time <= last); }),
                  entries_.end());
+  if (entries_.empty()) return;  // of another directory, or without a collection: no word on which files are later
+  on_first_rank(communicator(dm), [this] { write_collection(); });
+  remove_later_outputs(communicator(dm), directory_, next_index());
 }
 
 int FieldWriter::next_index() const { return entries_.empty() ? 0 : entries_.back().index + 1; }

@@ -105,9 +105,9 @@ DiscreteProblem::~DiscreteProblem() {
 }
 
 PetscErrorCode DiscreteProblem::create(MPI_Comm comm, double time) {
-  PetscFunctionBeginUser;
   const auto [unknowns, stencil_width] = setup_.models.extent(setup_.box.dim, setup_.model, setup_.solids);
   PetscCall(create_dm(comm, setup_.box, unknowns, stencil_width, &dm_));
+  PetscFunctionBeginUser;  // behind what may throw
   lattice_ = std::make_unique<Lattice>(setup_.box, dm_);
   PetscCall(update_conditions(time));
   for (const Field& field : model_->fields())

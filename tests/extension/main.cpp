@@ -37,7 +37,6 @@ int main(int argc, char** argv) {
   scree::drag_laws().push_back(&scree::drag_law<Hindered>);
   scree::Parts parts;
   parts.catalogue.further_kinds = {&screen};
-  parts.catalogue.further_unknowns = {&Tracer::unknown};
   parts.catalogue.further_options = declare_options;
   parts.models = {make_model_with_tracer, {&Tracer::unknown}};
   return scree::run_program(argc, argv, parts);

@@ -6,7 +6,7 @@
 
 struct Viscous {
   static constexpr const char *name = "viscous", *source = "made up for this test";
-  static constexpr bool has_friction = true, has_unknown = false;
+  static constexpr bool has_friction = true, has_unknown = false, uses_flow_rule = false;
   static inline double time = 1e-2;  ///< set by the option viscous_time [s]
 
   template <class Number>

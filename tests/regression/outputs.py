@@ -81,9 +81,15 @@ def check_averages(checks, program):
     checks.true("no means before their start", "mean_solids_fraction" not in whole.first_fields)
     shutil.copytree(whole.directory, program.work / "average_again")
     sorted((program.work / "average_again" / "checkpoints").glob("*.h5"))[-1].unlink()
+    shutil.copytree(program.work / "average_again", program.work / "average_anew")
     again = program.run("small_bin.yaml", "average_again", {**options, "restart": program.work / "average_again"})
     checks.true("restart: bits of the means", all(np.array_equal(whole.fields[name], again.fields[name])
                                                   for name in whole.fields if name.startswith("mean_")))
+    anew = program.run("small_bin.yaml", "average_anew", {**options, "output_average_from": 0.001, "restart": program.work / "average_anew"})
+    checks.true("restart with another start: a remark", "averages begin anew" in anew.log, anew.log)
+    weight = np.clip(monitor["time"] - 0.003, 0, monitor["dt"])  # from the checkpoint on
+    checks.close("restart with another start: mass of the mean [kg]", (RHO_S * volume * anew.fields["mean_solids_fraction"]).sum(),
+                 (weight * monitor["mass"]).sum() / weight.sum(), relative=1e-9)
 
 
 program, checks = Program(), Checks("outputs: times, energies, columns, a moved directory")

@@ -38,6 +38,14 @@ def stop_midway(program, name, options, number, after):
     return Run(directory, subprocess.CompletedProcess(words, process.returncode, out, errors))
 
 
+def restart_alone(program, directory):
+    """Goes on with a run from its directory, without its case file."""
+    words = program.command(None, {"restart": directory})
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=1200)
+    checks.equal(f"{directory.name}: exit code", process.returncode, 0)
+    return Run(directory, process)
+
+
 program, checks = Program(), Checks("restart on the same and on another number of ranks, and after a signal")
 whole = program.run("small_bin.yaml", "whole", RUN)
 steps = whole.monitor["time"]
@@ -63,9 +71,12 @@ changed = program.run("small_bin.yaml", "changed", CHANGING)
 checks.true("changed preset: multigrid in the end", "solver multigrid from here on" in changed.log, changed.log)
 shutil.copytree(changed.directory, program.work / "changed_again")
 sorted((program.work / "changed_again" / "checkpoints").glob("*.h5"))[-1].unlink()
+shutil.copytree(program.work / "changed_again", program.work / "changed_alone")
 again = program.run("small_bin.yaml", "changed_again", {**CHANGING, "restart": program.work / "changed_again"})
-checks.true("changed preset: bits of the last fields", same_bits(changed.fields, again.fields),
-            f"differ by {greatest_difference(changed.fields, again.fields):.1e}")
+alone = restart_alone(program, program.work / "changed_alone")  # with the options that its case.yaml tells
+for name, run in (("", again), (", by -restart alone", alone)):
+    checks.true(f"changed preset{name}: bits of the last fields", same_bits(changed.fields, run.fields),
+                f"differ by {greatest_difference(changed.fields, run.fields):.1e}")
 
 # A signal to the process (one rank) or to mpirun, which passes on SIGUSR1 alone.
 numbers = (signal.SIGTERM, signal.SIGUSR1) if program.ranks == 1 else (signal.SIGUSR1,)

@@ -19,9 +19,6 @@ class Measures {
   /// Collective. Without a state (nullptr): the columns alone, all values 0.
   std::vector<Quantity> quantities(double time, Vec state) const;
 
-  /// Factor from solids volume [m^dim] to mass [kg].
-  double mass_per_volume() const { return mass_per_volume_; }
-
  private:
   struct Range {
     double least, greatest;
@@ -43,9 +40,9 @@ class Measures {
 
   const Case& case_;
   const DiscreteProblem& problem_;
-  double mass_per_volume_;
+  double mass_per_volume_;  ///< factor from solids volume [m^dim] to mass [kg]
   bool with_gas_, has_gas_velocity_;
-  int T_ = -1;                  ///< component of T where it is an unknown
+  int T_;                       ///< component of T; -1 where it is no unknown
   std::vector<Field> derived_;  ///< of the cells
 };
 

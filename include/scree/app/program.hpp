@@ -18,6 +18,6 @@ struct Parts {
 };
 
 /// main() of `scree CASE.yaml [options]`. Returns the exit code.
-int run_program(int argc, char** argv, const Parts& parts = {});
+int run_program(int argc, char** argv, Parts parts = {});
 
 }  // namespace scree

@@ -5,6 +5,7 @@
 ///       static constexpr const char *name = "my_rheology", *source = "Author (year), equation";
 ///       static constexpr bool has_friction = true;  // false: the functions below are not called
 ///       static constexpr bool has_unknown = false;  // true: chi is transported and relaxes to steady, eq. (23)
+///       static constexpr bool uses_flow_rule = false;  // true: its stress has the exponent n of (14)
 ///       template <class Number>
 ///       static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p);
 ///       template <class Number>
@@ -77,7 +78,7 @@ using EdgeClosureFunction = Number (*)(const Number&, const Number&, const Numbe
 /// A rheology that a case can choose, with the closures compiled for it.
 struct Rheology {
   const char *name, *source;
-  bool has_friction, has_unknown;
+  bool has_friction, has_unknown, uses_flow_rule;
   PerNumber<CellClosureFunction, double, Dual<3>, Dual<4>, Dual<5>, Dual<6>> cell;
   PerNumber<EdgeClosureFunction, double, Dual<3>, Dual<4>, Dual<5>, Dual<6>> edge;
 };

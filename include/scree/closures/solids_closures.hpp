@@ -104,6 +104,7 @@ inline constexpr Rheology rheology{
     R::source,
     R::has_friction,
     R::has_unknown,
+    R::uses_flow_rule,
     {&cell_closure_by<R, double>, &cell_closure_by<R, Dual<3>>, &cell_closure_by<R, Dual<4>>,
      &cell_closure_by<R, Dual<5>>, &cell_closure_by<R, Dual<6>>},
     {&edge_closure_by<R, double>, &edge_closure_by<R, Dual<3>>, &edge_closure_by<R, Dual<4>>,

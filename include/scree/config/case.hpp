@@ -36,7 +36,7 @@ struct InitialRegion {
   } profile = Profile::uniform;  ///< equilibrium: nu from p_c' dnu/dz = nu rho_s g (T4), or (T5)
   double janssen_width = 0;      ///< > 0: equilibrium with wall friction in a plane bin of this width (T5) [m]
   double surface = 0;            ///< equilibrium: coordinate of the free surface along gravity's axis [m]
-  std::string table;             ///< file with columns "coordinate solids_fraction" along table_axis; empty: none
+  std::string table;             ///< absolute path of lines "coordinate solids_fraction" along table_axis; empty: none
   Ramp table_values;             ///< what it holds: factor is the solids fraction
   int table_axis = 0;
   std::vector<InitialValue> values;  ///< of the unknowns that the region gives; the others stay as they are
@@ -56,6 +56,8 @@ struct InitialRegion {
       if (entry.unknown == &unknown) return &entry;
     return nullptr;
   }
+  /// Whether a point lies in its box.
+  bool holds(const std::array<double, max_dim>& point, int dim) const;
 };
 
 /// A named plane of grid faces through which monitor.csv reports the solids mass flow rate [kg/s].
@@ -126,6 +128,14 @@ struct Case {
   std::string effective_yaml;              ///< the case as understood, as a case file that reruns it
   std::vector<PetscOption> petsc_options;  ///< what PETSc is to know
   std::vector<std::string> remarks;        ///< for the log: a line for what is not used, odd or has a former name
+
+  /// The last region at a point that gives a solids fraction; nullptr if there is none.
+  const InitialRegion* solids_region(const std::array<double, max_dim>& point) const;
+  /// Whether particles are there from the start or come in.
+  bool has_particles() const;
 };
+
+/// Whether a side of this condition lets particles in.
+bool brings_particles(const Condition& condition);
 
 }  // namespace scree

@@ -62,6 +62,8 @@ std::string absence(const Case& the_case, const Unknown& unknown);
 
 /// All options in the order of a case file.
 void declare_all(OptionSet& o, GridInput& grid, Case& the_case);
+/// `options` with all of them declared, of a case that is not kept.
+OptionSet declared(OptionSet options, const Catalogue& catalogue);
 
 void declare_grid(OptionSet& o, GridInput& grid);
 void declare_model(OptionSet& o, int dim, ModelParameters& model);

@@ -13,7 +13,7 @@ class OptionSet;
 
 /// Parts beyond the standard ones. What is pointed to must outlive every case.
 struct Catalogue {
-  std::vector<const Unknown*> further_unknowns;     ///< of scalars that the program's models have
+  std::vector<const Unknown*> further_unknowns;     ///< ModelFactory::further; run_program fills them in
   std::vector<const BoundaryKind*> further_kinds;   ///< of boundaries
   std::function<void(OptionSet&)> further_options;  ///< declares options that set the program's own variables
 

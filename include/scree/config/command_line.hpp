@@ -12,7 +12,7 @@ namespace scree {
 /// `scree CASE.yaml -key value ...` in its parts.
 struct CommandLine {
   std::string case_file;                                     ///< the first argument if it is no option; or empty
-  std::vector<std::pair<std::string, std::string>> options;  ///< keys without '-', in their order; "" for no value
+  std::vector<std::pair<std::string, std::string>> options;  ///< keys in lower case without '-'; "" for no value
 
   /// Whether -key or --key was given.
   bool has(const std::string& key) const;

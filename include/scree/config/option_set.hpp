@@ -103,6 +103,8 @@ class OptionSet {
                         const std::string& text);
   OptionEntry& boolean(const std::string& key, bool& value, const std::string& text);
   OptionEntry& text(const std::string& key, std::string& value, const std::string& what, const std::string& text);
+  /// The path of a file, made absolute: it stands beside the case file that names it, on the command line where one is.
+  OptionEntry& file(const std::string& key, std::string& value, const std::string& text);
   OptionEntry& texts(const std::string& key, std::vector<std::string>& values, const std::string& what,
                      const std::string& text);
 

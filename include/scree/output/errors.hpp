@@ -17,7 +17,12 @@ void on_first_rank(MPI_Comm comm, const std::function<void()>& work);
 /// Collective. Text of rank 0, on all ranks.
 std::string broadcast(MPI_Comm comm, std::string text);
 
-/// Throws std::runtime_error("<doing>: <PETSc's text of the code>") if a PETSc call failed. Not collective.
+/// For what a rank may meet alone, such as memory that is too small: the others would wait for it in the next
+/// collective call, or in one of a destructor. Where there are others, prints "scree: <message>" and ends all ranks
+/// with exit code 1; else returns.
+void end_all_ranks(const char* message);
+
+/// If a PETSc call failed: end_all_ranks, or on one rank std::runtime_error, of "<doing>: <PETSc's text of the code>".
 void check_petsc(PetscErrorCode code, const char* doing);
 
 }  // namespace scree

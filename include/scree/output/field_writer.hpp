@@ -27,7 +27,8 @@ struct CellField {
 class FieldWriter {
  public:
   /// Collective. `dm` as described in grid: interlaced, stencil width >= 1, cells + 1 nodes on an axis that is not
-  /// periodic. With `restart_time` the existing collection goes on; entries after that time are dropped.
+  /// periodic. With `restart_time` the existing collection goes on; entries after that time are
+  /// dropped, their files and those of lines removed.
   /// Throws std::runtime_error when grid and dm do not belong together.
   FieldWriter(std::string directory, const Box& box, DM dm, std::vector<Field> fields,
               std::optional<double> restart_time = std::nullopt);

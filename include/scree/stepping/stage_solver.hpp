@@ -50,9 +50,9 @@ class StageSolver {
   /// Of the last stage that was solved.
   const VolumeImbalance& imbalance() const { return imbalance_; }
 
-  /// Takes the preconditioner back to before its first set-up.
+  /// Takes the preconditioner back to before its first set-up, and reads the options of the linear solver again.
   PetscErrorCode forget_preconditioner();
-  /// After the options of the preconditioner have changed; those of the Krylov method stay as they were.
+  /// After the options of the linear solver have changed. Options of the Krylov method that are gone stay as they were.
   PetscErrorCode make_preconditioner_anew();
 
  private:

@@ -40,7 +40,8 @@ class TimeStepper {
   PetscErrorCode create(double time, const PetscOptionList& solver = {});
   /// Makes one step that does not pass `limit`.
   PetscErrorCode step(double limit, StepReport* report);
-  /// Takes other options of the preconditioner from the next step on; those of the Krylov method stay as they were.
+  /// Takes the options of another preset from the next step on, those of the Krylov method included. What `solver` does
+  /// not name stays as it was, except that the preconditioner is made from nothing.
   PetscErrorCode change_preconditioner(const PetscOptionList& solver);
   /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall
   /// not depend on whether the run was interrupted there.

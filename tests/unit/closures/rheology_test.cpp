@@ -18,12 +18,16 @@ TEST(FrictionModels, AreListed) {
   EXPECT_FALSE(FrictionModel::none->has_friction);
   for (const FrictionModel model : friction_models())
     EXPECT_EQ(model->has_unknown, model == FrictionModel::relaxed) << model->name;
+  EXPECT_TRUE(FrictionModel::relaxed->uses_flow_rule);
+  EXPECT_TRUE(FrictionModel::instantaneous->uses_flow_rule);
+  EXPECT_FALSE(FrictionModel::critical_state->uses_flow_rule);
+  EXPECT_FALSE(FrictionModel::none->uses_flow_rule);
 }
 
 /// A rheology that src/ does not know: mu(I) of Jop, Forterre & Pouliquen (2006) on p_c.
 struct MuOfI {
   static constexpr const char *name = "mu_of_i", *source = "Jop, Forterre & Pouliquen (2006)";
-  static constexpr bool has_friction = true, has_unknown = false;
+  static constexpr bool has_friction = true, has_unknown = false, uses_flow_rule = false;
   static constexpr double mu_s = .38, mu_2 = .64, I_0 = .28, rho_s = 2900;
 
   template <class Number>

@@ -86,6 +86,16 @@ TEST_F(CaseInputOfLine, RestartAloneTakesTheCaseOfThatRun) {
   EXPECT_EQ(*input.find("restart"), directory.string());
 }
 
+TEST_F(CaseInputOfLine, KeysDoNotDependOnCase) {
+  put("case.yaml", "a: 1\n");
+  const std::string more = put("more.yaml", "b: 2\n");
+  const CaseInput input = case_input(read_command_line({"-Restart", directory.string(), "-Options_File_Yaml", more}));
+  EXPECT_EQ(*input.find("a"), "1");
+  EXPECT_EQ(*input.find("b"), "2");
+  EXPECT_EQ(*input.find("restart"), directory.string());
+  EXPECT_TRUE(read_command_line({"-Help"}).has("help"));
+}
+
 TEST_F(CaseInputOfLine, OverridesThatCannotBeReadAreNamed) {
   const std::string file = put("case.yaml", "a: 1\n");
   for (const std::string name : {"", "no.yaml"}) {

@@ -1,7 +1,10 @@
 #include "scree/config/read_case.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "scene.hpp"
@@ -198,6 +201,66 @@ TEST_F(ReadCase, PetscOptionsOfItsSectionTheTopLevelAndTheCommandLine) {
   EXPECT_EQ(petsc_value(scene, "mg_levels_ksp_type"), "richardson");
   EXPECT_EQ(petsc_value(scene, "any_name"), "1, 2");
   EXPECT_EQ(petsc_value(scene, "ksp_rtol"), "1e-3 here");
+}
+
+TEST_F(ReadCase, CommandLineOverridesAnyKeyOfThePetscSection) {
+  small_bin();
+  yaml("petsc: {any_name: 1}");
+  set("any_name", "2");
+  EXPECT_EQ(petsc_value(read_case(), "any_name"), "2 here");
+  set("other_name", "3");
+  EXPECT_EQ(error_of_case().key, "other_name");
+}
+
+TEST_F(ReadCase, PresetThatWasNotGivenIsNotGivenByTheEffectiveCase) {
+  small_bin();
+  const Case first = read_case();
+  EXPECT_FALSE(first.solver.preset_given);
+  clear();
+  yaml(first.effective_yaml);
+  const Case again = read_case();
+  EXPECT_FALSE(again.solver.preset_given);
+  EXPECT_EQ(again.solver.preset, SolverPreset::ilu);
+  yaml("solver: multigrid");
+  const Case given = read_case();
+  EXPECT_TRUE(given.solver.preset_given);
+  clear();
+  yaml(given.effective_yaml);
+  EXPECT_TRUE(read_case().solver.preset_given);
+  EXPECT_EQ(read_case().solver.preset, SolverPreset::multigrid);
+}
+
+TEST_F(ReadCase, TableStandsBesideTheFileThatNamesIt) {
+  namespace fs = std::filesystem;
+  const fs::path directory = fs::path(testing::TempDir()) / ("scree_table_beside_" + std::to_string(getpid()));
+  fs::create_directories(directory / "tables");
+  std::ofstream(directory / "tables" / "nu.txt") << "0 0.25\n";
+  small_bin();
+  input.insert(yaml_entries("initial_bed_table: tables/nu.txt", (directory / "case.yaml").string()));
+  const Case first = read_case();
+  const std::string absolute = (fs::absolute(directory) / "tables" / "nu.txt").lexically_normal().string();
+  EXPECT_EQ(first.initial.at(1).table, absolute);
+  EXPECT_EQ(first.initial.at(1).table_values.factor, std::vector<double>{0.25});
+  clear();
+  input.insert(yaml_entries(first.effective_yaml, "/somewhere/else/case.yaml"));
+  EXPECT_EQ(read_case().initial.at(1).table, absolute);
+  fs::remove_all(directory);
+  set("initial_bed_table", "nowhere.txt");
+  EXPECT_EQ(error_of_case().value, (fs::current_path() / "nowhere.txt").string());
+}
+
+TEST_F(ReadCase, VectorsWithoutAValueHaveAllComponents) {
+  static const Unknown drift = [] {
+    Unknown unknown = SolidsMomentum::unknown;
+    unknown.dataset = "drift";
+    unknown.initial.otherwise = 2;
+    return unknown;
+  }();
+  small_bin();
+  Catalogue catalogue;
+  catalogue.further_unknowns = {&drift};
+  const Case scene = scree::read_case(input, catalogue);
+  EXPECT_EQ(scene.initial.at(0).find(drift)->value, (std::array<double, max_dim>{2, 2, 2}));
 }
 
 TEST_F(ReadCase, PetscSectionIsForPetscAlone) {

@@ -125,6 +125,27 @@ TEST_F(WaysOut, ParticlesIntoAClosedPartNeedRoom) {
   EXPECT_NO_THROW(read_case());
 }
 
+TEST_F(WaysOut, WhatLetsGasOutAloneIsNoWayOutForParticles) {
+  static constexpr BoundaryKind sieve{"sieve",         "of this test",  SolidsNormal::wall,  SolidsTangential::free,
+                                      Scalars::closed, GasNormal::open, GasTangential::free, GasPressure::prescribed};
+  static constexpr BoundaryKind chute{"chute",          "of this test",  SolidsNormal::open,  SolidsTangential::free,
+                                      Scalars::outflow, GasNormal::wall, GasTangential::free, GasPressure::free};
+  Catalogue catalogue;
+  catalogue.further_kinds = {&sieve, &chute};
+  divided("none");
+  yaml(
+      "end_time: 0.5\nboundary: {rain: {side: y_upper, kind: inlet, solids_fraction: 0.1, velocity: [0, -1],"
+      " patch: [4 cm, 8 cm], order: 1}, lid: {side: x_upper, kind: sieve, order: 1}}");
+  set("initial_fill_solids_fraction", "0.1");
+  EXPECT_THROW(scree::read_case(input, catalogue), InputError);
+  set("boundary_lid_kind", "chute");
+  EXPECT_NO_THROW(scree::read_case(input, catalogue));
+  set("gas", "darcy");  // now it is the gas that has to find its way
+  EXPECT_THROW(scree::read_case(input, catalogue), InputError);
+  set("boundary_lid_kind", "sieve");
+  EXPECT_NO_THROW(scree::read_case(input, catalogue));
+}
+
 TEST_F(WaysOut, OddNumbersGetARemarkAndSensibleOnesNone) {
   const auto remarks = [this](std::initializer_list<std::pair<const char*, const char*>> settings) {
     clear();

@@ -2,6 +2,9 @@
 
 #include <hdf5.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "sample_state.hpp"
 #include "scree/grid/axis_name.hpp"
 #include "scree/output/time_average.hpp"
@@ -131,8 +134,22 @@ TEST(FieldWriter, RestartKeepsEarlierEntriesAndDropsLaterOnes) {
     for (const double time : {0.0, 0.1, 0.2}) writer.write(time, scene.state);
     EXPECT_EQ(writer.write(0.2, scene.state), 2) << "the same time replaces";
   }
+  namespace fs = std::filesystem;
+  const fs::path directory(scratch.path());
+  if (test::this_rank() == 0) {
+    fs::create_directories(directory / "lines");
+    for (const char* name : {"lines/axis_000001.csv", "lines/axis_000002.csv", "fields/000007.h5", "fields/notes.h5"})
+      std::ofstream(directory / name) << "x";
+  }
+  test::barrier();
   FieldWriter writer(scratch.path(), scene.box, scene.dm, scene.fields, 0.1);
   EXPECT_EQ(writer.last_time(), 0.1);
+  for (const char* kept : {"lines/axis_000001.csv", "fields/000000.h5", "fields/000001.h5", "fields/notes.h5"})
+    EXPECT_TRUE(fs::exists(directory / kept)) << kept;
+  for (const char* later : {"lines/axis_000002.csv", "fields/000002.h5", "fields/000007.h5"})
+    EXPECT_FALSE(fs::exists(directory / later)) << later;
+  EXPECT_EQ(test::content(scratch / "fields.xdmf").find("000002.h5"), std::string::npos);
+  test::barrier();
   EXPECT_EQ(writer.write(0.15, scene.state), 2);
   const std::string text = test::content(scratch / "fields.xdmf");
   EXPECT_NE(text.find("Value=\"0.10000000000000001\""), std::string::npos);

@@ -7,7 +7,7 @@ namespace scree {
 
 struct CriticalState {
   static constexpr const char *name = "critical_state", *source = "(22)";
-  static constexpr bool has_friction = true, has_unknown = false;
+  static constexpr bool has_friction = true, has_unknown = false, uses_flow_rule = false;
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {

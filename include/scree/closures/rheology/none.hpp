@@ -7,7 +7,7 @@ namespace scree {
 
 struct NoFriction {
   static constexpr const char *name = "none", *source = "absent";
-  static constexpr bool has_friction = false, has_unknown = false;
+  static constexpr bool has_friction = false, has_unknown = false, uses_flow_rule = false;
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>&, const FrictionParameters&) {

@@ -7,7 +7,7 @@ namespace scree {
 
 struct Relaxed {
   static constexpr const char *name = "relaxed", *source = "(20) with (23)";
-  static constexpr bool has_friction = true, has_unknown = true;
+  static constexpr bool has_friction = true, has_unknown = true, uses_flow_rule = true;
 
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
