@@ -1,5 +1,10 @@
 """A rheology, a drag law, a kind of boundary and a transported scalar from outside of src/ do what they say."""
+import json
+import subprocess
+
+import jsonschema
 import numpy as np
+import yaml
 from scree_program import Checks, Program
 
 MU_G, DIAMETER, NU = 1.8e-5, 4e-4, 0.5  # Pa s, m, -
@@ -62,6 +67,14 @@ def check_falling_bed(program, checks):
                  np.abs(fields["frictional_pressure"][where] / p_c[where] - 1).max(), 1e-10)
 
 
+def check_schema(program, checks):
+    schema = json.loads(subprocess.run([program.scree, "-schema"], capture_output=True, text=True, check=True).stdout)
+    for name in ("fixed.yaml", "falling.yaml"):
+        case = yaml.safe_load((program.here / name).read_text())
+        wrong = [error.message for error in jsonschema.Draft202012Validator(schema).iter_errors(case)]
+        checks.equal(f"{name} against the schema of this program", wrong, [])
+
+
 def check_refusals(program, checks):
     wrong = program.run("fixed.yaml", "wrong_kind", {"boundary_below_kind": "sieve"}, must_work=False)
     checks.true("the list of kinds names the new one", wrong.code != 0 and "screen" in wrong.errors, wrong.errors)
@@ -75,5 +88,6 @@ def check_refusals(program, checks):
 program, checks = Program(), Checks("parts from outside: rheology, drag law, boundary kind, transported scalar")
 check_fixed_bed(program, checks)
 check_falling_bed(program, checks)
+check_schema(program, checks)
 check_refusals(program, checks)
 checks.verdict()

@@ -94,7 +94,7 @@ for what, (options, words) in OPTIONS.items():
 for kind, place in (("probe", {"probe_a_point": "1 cm, 2 cm"}), ("line", {"line_a_from": "0, 0", "line_a_to": "0, 9 cm"})):
     for check in ({}, {"check": None}):
         complain(f"{kind} of a field that is not there{' under -check' if check else ''}", CASE,
-                 {**place, f"{kind}_a_fields": "gas_pressure", **check}, [f"{kind} a", "gas_pressure", "solids_fraction"])
+                 {**place, f"{kind}_a_fields": "gas_pressure", **check}, [f"{kind}_a_fields", "gas_pressure", "solids_fraction"])
 
 for what, (text, words) in FILES.items():
     path = program.work / f"{what.replace(' ', '_').replace(',', '')}.yaml"

@@ -253,6 +253,8 @@ def seeds():
     """The case files of the repository, copied so that based_on finds its base beside the mutants."""
     folders = {}
     for path in sorted([*ROOT.glob("cases/*/*.yaml"), *ROOT.glob("tests/**/*.yaml")]):
+        if path.parent.name == "extension":  # of a program with parts of its own
+            continue
         folder = program.work / path.parent.relative_to(ROOT)
         folder.mkdir(parents=True, exist_ok=True)
         folders[shutil.copy(path, folder)] = path.read_text()
