@@ -198,6 +198,7 @@ void Simulation::run() {
     StepReport report;
     step(&report);
     if (report.failed) {
+      account_effort(report);
       write_checkpoint();
       write_summary("no step works");
       char what[200];
@@ -228,12 +229,16 @@ bool Simulation::monitor_due() const {
          time >= case_.time.end_time * (1 - 1e-12);
 }
 
-void Simulation::account(const StepReport& report) {
-  totals_.steps += 1;
+void Simulation::account_effort(const StepReport& report) {
   totals_.newton += report.newton;
   totals_.krylov += report.krylov;
   totals_.rejected_error += report.rejected_error;
   totals_.rejected_solver += report.rejected_solver;
+}
+
+void Simulation::account(const StepReport& report) {
+  totals_.steps += 1;
+  account_effort(report);
   double limited = static_cast<double>(report.limited);
   MPI_Allreduce(MPI_IN_PLACE, &limited, 1, MPI_DOUBLE, MPI_SUM, comm_);
   totals_.limited += limited;

@@ -68,6 +68,7 @@ class Simulation {
   void print_solver() const;               ///< where the case asks for it
   void reconsider_preset(const StepReport& report);
   bool monitor_due() const;
+  void account_effort(const StepReport& report);  ///< of a step that was made, or of one that does not work
   void account(const StepReport& report);
   void make_gas_consistent();
   double mass_error() const;
