@@ -288,8 +288,9 @@ def case_of(run):
     file = run.directory / "case.yaml"
     if not file.exists():
         return "<p>The directory holds no case.yaml.</p>"
-    return ("<p>All options with their values in SI units, defaults included. <code>scree case.yaml</code> runs the same "
-            f"case again.</p><details open><summary>case.yaml</summary><pre>{escape(file.read_text())}</pre></details>")
+    words = ("All options with their values in SI units, defaults included but for what the program chooses itself. "
+             "<code>scree case.yaml</code> runs the same case again.")
+    return f"<p>{words}</p><details open><summary>case.yaml</summary><pre>{escape(file.read_text())}</pre></details>"
 
 
 def files_of(run):

@@ -2,13 +2,14 @@
 ///
 ///     rho_g (1-nu) (du/dt + u.grad u) = -(1-nu) div sigma_g - f + rho_g (1-nu) g
 ///
-///     term                        function        kernel that evaluates it
-///     rho_g (1-nu) du/dt          inertia         GasForces (gas_forces.hpp)
-///     rho_g (1-nu) u.grad u       advection       NormalMomentumFlux, CrossMomentumFlux (momentum_fluxes.hpp)
-///                                 entry_loss      NormalMomentumFlux, at open sides
+///     term                        function              kernel that evaluates it
+///     rho_g (1-nu) du/dt          inertia               GasForces (gas_forces.hpp)
+///     rho_g (1-nu) u.grad u       advection             NormalMomentumFlux, CrossMomentumFlux (momentum_fluxes.hpp)
+///                                 entry_loss            NormalMomentumFlux, at open sides
 ///     (1-nu) div sigma_g, (5)     pressure_and_inertia  GasForces
-///                                 viscous_stress  GasNormalStress, GasShearStress, GasWallStress (gas_viscosity.hpp)
-///     f = beta (u - v), (6)       drag            CellBalances (cell_balances.hpp)
+///                                 viscous_stress        GasNormalStress, GasShearStress, GasWallStress
+///                                                       (gas_viscosity.hpp)
+///     f = beta (u - v), (6)       drag                  CellBalances (cell_balances.hpp)
 ///
 /// Gravity is not there: p_g is what exceeds the pressure of still gas. Where the gas has no inertia (gas darcy), u is
 /// no unknown: (4) without its left-hand side is solved at each face, see gas_flux.hpp.
