@@ -56,11 +56,19 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
          "solids fraction from which p_c acts, eq. (18)")
       .symbol("nu_min")
       .used_if(some, absent);
-  o.boolean("friction_strain_rate_fluctuation", friction.strain_rate_fluctuation,
-            "S:S + T/d^2 as in (20)-(22); no: S:S as in (15)-(17)")
+  bool with_fluctuation = true;
+  o.boolean("friction_strain_rate_fluctuation", with_fluctuation,
+            "S:S + T/d^2 as in (20)-(22); no: S:S as in (15)-(17); friction_fluctuation 1 or 0 in words")
+      .used_if(some, absent);
+  friction.fluctuation = with_fluctuation ? 1 : 0;
+  o.real("friction_fluctuation", friction.fluctuation, "-", from_zero_to_one(),
+         "c of S:S + c T/d^2, the share of the fluctuations in the strain rate of friction: 1 as in (20)-(22), 0 as in "
+         "(15)-(17)")
+      .symbol("c")
+      .default_from("1, or 0 where friction_strain_rate_fluctuation is no")
       .used_if(some, absent);
   o.real("friction_strain_rate_floor", friction.strain_rate_floor, "1/s", non_negative(),
-         "floor^2 is added under sqrt(S:S + T/d^2)")
+         "floor^2 is added under sqrt(S:S + c T/d^2)")
       .used_if(some, absent);
 
   // Here, because the default depends on friction: without it collisions alone hold up a packed bed.

@@ -179,11 +179,15 @@ inline std::vector<NamedScene> periodic_scenes(const ProblemSetup& base) {
 
 /// What no boundary decides.
 inline std::vector<NamedScene> scenes_of_options(const ProblemSetup& base) {
-  std::vector<NamedScene> scenes{{"no strain rate fluctuation", base}, {"fixed solids", base}, {"gravity", base}};
-  scenes[0].setup.solids.friction.strain_rate_fluctuation = false;
+  std::vector<NamedScene> scenes{{"no strain rate fluctuation", base},
+                                 {"fixed solids", base},
+                                 {"gravity", base},
+                                 {"some strain rate fluctuation", base}};
+  scenes[0].setup.solids.friction.fluctuation = 0;
   scenes[1].setup.model.solids_moving = false;
   scenes[2].setup.model.gravity = {1.0, -9.81, 0.5};
   scenes[2].setup.model.solids_fraction_floor = 1e-3;
+  scenes[3].setup.solids.friction.fluctuation = 0.1;
   return scenes;
 }
 

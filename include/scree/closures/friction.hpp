@@ -42,10 +42,10 @@ struct FrictionParameters {
   double nu_min = 0.5;                  ///< threshold of (18) [-]
   double nu_max = 0.65;                 ///< maximum packing [-]
   double tau = 1e-3;                    ///< relaxation time of chi, (23) [s]
-  bool strain_rate_fluctuation = true;  ///< true: S:S + T/d^2, (20); false: S:S, (15)-(17)
+  double fluctuation = 1;               ///< c of S:S + c T/d^2: 1 as in (20)-(22), 0 as in (15)-(17) [-]
   double d = 1e-3;                      ///< particle diameter [m]
   bool lagged = false;                  ///< chi of a step from the state before it, as segregated codes have it
-  double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + T/d^2 + floor^2) [1/s]
+  double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + c T/d^2 + floor^2) [1/s]
 };
 
 // Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
@@ -105,12 +105,12 @@ inline double maximum_chi(const FrictionParameters& p) {
 /// sqrt(2) sin(phi) [-]: ratio of the norm of the frictional deviator to p_f at the critical state.
 inline double friction_coefficient(const FrictionParameters& p) { return std::sqrt(2.0) * std::sin(p.phi); }
 
-/// Strain rate of (20) and (21): sqrt(S:S + T/d^2 + floor^2), or without T/d^2 for the unmodified forms (15)-(17)
+/// Strain rate of (20) and (21): sqrt(S:S + c T/d^2 + floor^2), with c = 0 that of the unmodified forms (15)-(17)
 /// [1/s].
 template <class Number>
 Number fluctuating_strain_rate(const Number& S_S, const Number& T, const FrictionParameters& p) {
   const double floor = p.strain_rate_floor * p.strain_rate_floor;
-  return p.strain_rate_fluctuation ? Number(sqrt(S_S + T / (p.d * p.d) + floor)) : Number(sqrt(S_S + floor));
+  return Number(sqrt(S_S + p.fluctuation * T / (p.d * p.d) + floor));
 }
 
 /// 1 - div v/(n sqrt(2) sin(phi) gamma) of (21), bounded above by n/(n-1), the tip of the yield surface [-].

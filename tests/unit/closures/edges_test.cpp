@@ -32,7 +32,7 @@ template <class Visit>
 void for_each_model(const Visit& visit) {
   for (FrictionModel friction :
        {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
-    for (bool fluctuation : {true, false})
+    for (double fluctuation : {1.0, 0.0})
       for (TemperatureModel temperature :
            {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
         for (GasModel gas : {GasModel::none, GasModel::darcy, GasModel::incompressible})
@@ -40,7 +40,7 @@ void for_each_model(const Visit& visit) {
             for (const Floors& floor : floors) {
               SolidsParameters p;
               p.friction.model = friction;
-              p.friction.strain_rate_fluctuation = fluctuation;
+              p.friction.fluctuation = fluctuation;
               p.friction.strain_rate_floor = floor.strain_rate;
               p.temperature = temperature;
               p.temperature_floor = floor.temperature;
@@ -53,7 +53,7 @@ void for_each_model(const Visit& visit) {
 
 std::string describe(const SolidsParameters& p) {
   std::ostringstream text;
-  text << "friction " << p.friction.model->name << " fluctuation " << p.friction.strain_rate_fluctuation
+  text << "friction " << p.friction.model->name << " fluctuation " << p.friction.fluctuation
        << " temperature " << static_cast<int>(p.temperature) << " gas " << static_cast<int>(p.gas.model) << " d "
        << p.kinetic.d << " floor of T " << p.temperature_floor;
   return text.str();

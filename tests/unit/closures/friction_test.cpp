@@ -100,8 +100,12 @@ TEST(StrainRate, WithAndWithoutFluctuation) {
   FrictionParameters p;
   p.strain_rate_floor = 0;
   EXPECT_DOUBLE_EQ(fluctuating_strain_rate(44.0, 1e-4, p), 12);  // T/d^2 = 100
-  p.strain_rate_fluctuation = false;
+  p.fluctuation = 0.16;
+  EXPECT_DOUBLE_EQ(fluctuating_strain_rate(9.0, 1e-4, p), 5);
+  p.fluctuation = 0;
   EXPECT_DOUBLE_EQ(fluctuating_strain_rate(25.0, 1e-4, p), 5);
+  p.strain_rate_floor = 1e-6;
+  EXPECT_DOUBLE_EQ(fluctuating_strain_rate(0.0, 1e-4, p), 1e-6);
   p.strain_rate_floor = 1e-4;
   EXPECT_DOUBLE_EQ(fluctuating_strain_rate(0.0, 1e-4, p), 1e-4);
 }
@@ -244,12 +248,12 @@ using Rheologies = ::testing::Types<NoFriction, CriticalState, Instantaneous, Re
 TYPED_TEST_SUITE(EachRheology, Rheologies);
 
 TYPED_TEST(EachRheology, DerivativesMatchDifferences) {
-  for (bool fluctuation : {true, false})
+  for (double fluctuation : {1.0, 0.1, 0.0})
     for (double nu : {.4, .52, .6, .64})
       for (double chi : {.2, .97, 1.05})
         for (double div_v : {-400.0, -10.0, -.5, .5, 2.5}) {
           AllFriction<TypeParam> f;
-          f.p.strain_rate_fluctuation = fluctuation;
+          f.p.fluctuation = fluctuation;
           std::ostringstream state;
           state << "nu " << nu << " chi " << chi << " div v " << div_v;
           const double to_foot = std::abs(nu - .5);
@@ -261,14 +265,14 @@ TYPED_TEST(EachRheology, DerivativesMatchDifferences) {
 
 TYPED_TEST(EachRheology, FiniteAtTheEdges) {  // H15
   using D = Dual<5>;
-  for (bool fluctuation : {true, false})
+  for (double fluctuation : {1.0, 0.1, 0.0})
     for (double nu : {0.0, .5, .5 + 1e-12, .6, .65 - 1e-9})
       for (double T : {0.0, 1e-14, 1e-4})
         for (double chi : {0.0, 1e-300, .5, 1.0, 1.1, 1.2, 10.0})
           for (double div_v : {-1e4, -1e-12, 0.0, 1e-12, 1e4})
             for (double S_S : {0.0, 1e-14, 25.0}) {
               AllFriction<TypeParam> f;
-              f.p.strain_rate_fluctuation = fluctuation;
+              f.p.fluctuation = fluctuation;
               const auto result = f(std::array<D, 5>{D::variable(nu, 0), D::variable(T, 1), D::variable(chi, 2),
                                                      D::variable(div_v, 3), D::variable(S_S, 4)});
               for (std::size_t r = 0; r < result.size(); ++r) {

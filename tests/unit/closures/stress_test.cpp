@@ -93,7 +93,7 @@ TEST(CellClosure, ReferenceValues) {
 
 TEST(CellClosure, WithoutStrainRateFluctuation) {  // (15)-(17), mpmath
   SolidsParameters p = with_models(FrictionModel::instantaneous);
-  p.friction.strain_rate_fluctuation = false;
+  p.friction.fluctuation = 0;
   const auto result = cell_closure(.58, 1e-4, 1.0, 1.0, 25.0, 0.0, p);
   EXPECT_NEAR(result[CellClosure::chi_star], .86476385862, 1e-8);
   EXPECT_NEAR(result[CellClosure::frictional_pressure], 164.64832198, 1e-6);

@@ -60,6 +60,16 @@ TEST_F(ReadCase, CollisionsLeaveTemperatureWhereNothingElseCarries) {
   EXPECT_EQ(read_case().kinetic.T_rest, 1e-4);
 }
 
+TEST_F(ReadCase, ShareOfFluctuationsInFriction) {
+  small_bin();
+  EXPECT_EQ(read_case().friction.fluctuation, 1);
+  yaml("friction: {strain_rate_fluctuation: no}");
+  EXPECT_EQ(read_case().friction.fluctuation, 0);
+  yaml("friction: {fluctuation: 0.1, strain_rate_floor: 1e-6}");
+  EXPECT_EQ(read_case().friction.fluctuation, 0.1);
+  EXPECT_EQ(read_case().friction.strain_rate_floor, 1e-6);
+}
+
 TEST_F(ReadCase, ParticlesReachAllClosures) {
   small_bin();
   yaml("particle: {density: 2.5 g/cm3, diameter: 100 um}\nsolids_fraction_max: 64 %\nfriction: {angle: 30 deg}");

@@ -50,6 +50,7 @@ const Row rows[] = {
      "a value in s (or with a unit of that kind), > 0; its unit has another dimension"},
     {{{"friction_tau", "-1"}}, "friction_tau", "-1", "a value in s (or with a unit of that kind), > 0"},
     {{{"friction_tau", "nan"}}, "friction_tau", "nan", "a value in s"},
+    {{{"friction_fluctuation", "1.5"}}, "friction_fluctuation", "1.5", "in [0, 1]"},
     {{{"friction_tau", "inf"}}, "friction_tau", "inf", "a value in s"},
     {{{"friction_tau", "1e-3 s soon"}}, "friction_tau", "1e-3 s soon", "not a known unit"},
     {{{"friction_tau", ""}}, "friction_tau", "", "a value in s"},
