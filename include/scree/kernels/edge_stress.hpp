@@ -7,7 +7,9 @@ namespace scree {
 
 /// sigma_ab of (8) at edge I of axes a < b. It acts on momentum a across the lower b faces of I - e_a and I, and on
 /// momentum b across the lower a faces of I - e_b and I; where one of the two faces is a plate only the other half
-/// remains, and the wall law acts on the rest. Edges on the sides of the box carry no stress of their own.
+/// remains, and the wall law acts on the rest. On a side of the box edges carry a stress only where an open part of it
+/// is beside: there it acts on the momentum along the normal, whose control volume is the half cell before the side,
+/// with all that it depends on as it is in the cells before the side. It is what the lip of an orifice holds back.
 template <class L, int a, int b>
 struct EdgeStress {
   static constexpr Index e_a = unit(a), e_b = unit(b);
@@ -38,11 +40,19 @@ struct EdgeStress {
   static constexpr bool depends(int, const Input&) { return true; }
 
   static bool active(const Scene& scene, const Index& I) {
+    if (!scene.near) return true;
+    if (on_side_of_axis(scene, a, I) || on_side_of_axis(scene, b, I)) return beside_opening(scene, I);
     for (const Index& cell : cells)
       if (!scene.inside(I + cell)) return false;
     return open_share(scene, I, a, b) > 0 || open_share(scene, I, b, a) > 0;
   }
-  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+  /// What lies beyond a side is read before it, velocities along the normal excepted.
+  static Reference resolve(const Scene& scene, const Index& I, const Input& input) {
+    for (const int normal : {a, b})
+      if (on_side_of_axis(scene, normal, I) && input.component != L::v(normal) && input.component != L::u(normal))
+        return {before_side(I, normal, input.offset), 1};
+    return {input.offset, 1};
+  }
 
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
@@ -60,8 +70,8 @@ struct EdgeStress {
     const Number sigma = SolidsMomentum::shear_stress(mu, D_ab);
 
     const bool near = scene.near;
-    const Number on_a = (near ? open_share(scene, I, a, b) : 1.0) * sigma;
-    const Number on_b = (near ? open_share(scene, I, b, a) : 1.0) * sigma;
+    const Number on_a = (near ? share_of_stress(scene, I, a, b) : 1.0) * sigma;
+    const Number on_b = (near ? share_of_stress(scene, I, b, a) : 1.0) * sigma;
     r[0] += out_of_cell(scene, b, I - e_b, End::upper, on_a);
     r[1] -= out_of_cell(scene, b, I, End::lower, on_a);
     r[2] += out_of_cell(scene, a, I - e_a, End::upper, on_b);
@@ -69,6 +79,32 @@ struct EdgeStress {
   }
 
  private:
+  /// Whether the edge lies on one side of the box, between two cells, and an open part of that side is beside it.
+  static bool beside_opening(const Scene& scene, const Index& I) {
+    if (on_side_of_axis(scene, a, I) && on_side_of_axis(scene, b, I)) return false;
+    const int normal = on_side_of_axis(scene, a, I) ? a : b;
+    const Index along = unit(normal == a ? b : a);
+    if (!scene.is_face(normal, I) || !scene.is_face(normal, I - along)) return false;
+    if (share_of_stress(scene, I, normal, normal == a ? b : a) == 0) return false;
+    for (const Index& face : {I, I - along})
+      if (scene.barrier(normal, face) && scene.kind(normal, face).lets_solids_out()) return true;
+    return false;
+  }
+
+  /// `at`, a cell relative to the edge, moved from beyond the side of the box that the edge lies on to before it.
+  static Index before_side(const Index& I, int normal, const Index& at) {
+    const int from = I[normal] == 0 ? 0 : -1;
+    const bool beyond = from == 0 ? at[normal] < 0 : at[normal] >= 0;
+    return beyond ? at + (from - at[normal]) * unit(normal) : at;
+  }
+
+  /// Share of the stress that acts on momentum `axis`: of the face between its control volumes along `across`.
+  static double share_of_stress(const Scene& scene, const Index& I, int axis, int across) {
+    if (on_side_of_axis(scene, across, I)) return 0;
+    if (!on_side_of_axis(scene, axis, I)) return open_share(scene, I, axis, across);
+    return scene.barrier(across, I + before_side(I, axis, Index{})) ? 0 : 1;
+  }
+
   /// Open share of the face between the control volumes of momentum `axis` below and above the edge along `across`.
   static double open_share(const Scene& scene, const Index& I, int axis, int across) {
     const double below = scene.lower_share(axis, I);
@@ -80,9 +116,14 @@ struct EdgeStress {
   template <class Value>
   static auto mean(const Scene& scene, const Index& I, Value&& value) {
     const double far_a = scene.lower_share(a, I), far_b = scene.lower_share(b, I);
-    return std::decay_t<decltype(value(Index{}))>(
-        (1 - far_a) * (1 - far_b) * value(cells[0]) + far_a * (1 - far_b) * value(cells[1]) +
-        (1 - far_a) * far_b * value(cells[2]) + far_a * far_b * value(cells[3]));
+    const auto at = [&](Index cell) {
+      for (const int normal : {a, b})
+        if (scene.near && on_side_of_axis(scene, normal, I)) cell = before_side(I, normal, cell);
+      return value(cell);
+    };
+    return std::decay_t<decltype(value(Index{}))>((1 - far_a) * (1 - far_b) * at(cells[0]) +
+                                                  far_a * (1 - far_b) * at(cells[1]) +
+                                                  (1 - far_a) * far_b * at(cells[2]) + far_a * far_b * at(cells[3]));
   }
 
   /// {div v, S:S} at the edge: D_ab as it is, normal components as means over the four cells, other shear components

@@ -8,10 +8,10 @@
 
 namespace scree {
 
-/// Anchor I: the lower `axis` face of cell I. Without particles (3) says nothing: void_floor is added to nu in the
-/// inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay (towards that of the gas, by the gas's
-/// own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu alone. With gas it is reduced by buoyancy,
-/// since p_g is what exceeds the pressure of still gas.
+/// Anchor I: the lower `axis` face of cell I, between two cells or on an open side. Without particles (3) says nothing:
+/// void_floor is added to nu in the inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay
+/// (towards that of the gas, by the gas's own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu
+/// alone. With gas it is reduced by buoyancy, since p_g is what exceeds the pressure of still gas.
 template <class L, int axis>
 struct FaceForces {
   static constexpr Index e = unit(axis);
@@ -27,14 +27,14 @@ struct FaceForces {
   static constexpr bool has_rates = true;
   static constexpr bool depends(int, const Input&) { return true; }
 
-  static bool active(const Scene& scene, const Index& I) { return scene.inside(I) && scene.inside(I - e); }
+  static bool active(const Scene& scene, const Index& I) { return scene.is_face(axis, I); }
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
-    const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
     const Number floor = void_floor(nu, scene.model.solids_fraction_floor);
     r[0] += SolidsMomentum::inertia(rho_s, Number(nu + floor), q.dot(L::v(axis))) -
             SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);

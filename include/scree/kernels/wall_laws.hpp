@@ -81,9 +81,7 @@ struct WallLaws {
   template <class Number, std::size_t count>
   static void add_stress(const Scene& scene, const Index& I, int axis, End end, int t, int side, const Number& stress,
                          std::array<Number, count>& r) {
-    const double below = scene.lower_share(t, I + side * unit(t));
-    const double share = side == 0 ? 1 - below : below;  // of the control volume in this cell
-    r[2 * t + side] += out_of_cell(scene, axis, I, end, Number(share * stress));
+    r[2 * t + side] += out_of_cell(scene, axis, I, end, Number(share_of_cell(scene, t, I, side) * stress));
   }
 
   /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and

@@ -62,7 +62,6 @@ class AssembledModel final : public Model {
     each_constraint(assembly_.scene, [&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
       sink.entry(row, assembly_.ghosted_unknown(c.component, c.node));
-      if (c.kind == Constraint::follow) sink.entry(row, assembly_.ghosted_unknown(c.component, c.neighbour));
       if (c.kind == Constraint::superficial) sink.entry(row, assembly_.ghosted_unknown(L::nu, c.neighbour));
     });
     each_pressure_row([&](int row, const Index& I) { sink.entry(row, assembly_.ghosted_unknown(L::p, I)); });
@@ -80,7 +79,6 @@ class AssembledModel final : public Model {
         return;
       }
       visitor.put(c.kind == Constraint::freeze ? shift * assembly_.row_scale[L::nu] : 1.0);
-      if (c.kind == Constraint::follow) visitor.put(-1.0);
     });
     each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
   }
@@ -175,11 +173,11 @@ class AssembledModel final : public Model {
 
   /// A row that is no balance: a velocity on a side or plate, a frozen unknown, or padding.
   struct Constraint {
-    enum Kind { fix, follow, freeze, superficial } kind;
+    enum Kind { fix, freeze, superficial } kind;
     int component;
     Index node;
     double value = 0;   ///< fix: the stored value; superficial: (1-nu) times it
-    Index neighbour{};  ///< follow: zero gradient towards this node; superficial: the cell before the side
+    Index neighbour{};  ///< superficial: the cell before the side
   };
 
   /// Stands as the diagonal of the rows of p_g in the Jacobian alone: factorisations want one, and where no side is
@@ -264,9 +262,11 @@ class AssembledModel final : public Model {
       for (int axis = 0; axis < L::dim; ++axis) {
         const bool barrier = setup_.barriers.at(axis, I);
         const bool between = grid.inside(I) && grid.inside(I - unit(axis)) && !barrier;
-        if (between && setup_.model.solids_moving) rows |= 1U << L::v(axis);
+        const auto opens = [&](auto&& asks) { return barrier && asks(setup_.barriers.condition(axis, I).kind); };
+        const bool lets_out = opens([](const BoundaryKind& kind) { return kind.lets_solids_out(); });
+        if ((between || lets_out) && setup_.model.solids_moving) rows |= 1U << L::v(axis);
         if constexpr (L::has_u)
-          if (between || (barrier && setup_.barriers.condition(axis, I).kind.open_to_gas())) rows |= 1U << L::u(axis);
+          if (between || opens([](const BoundaryKind& kind) { return kind.open_to_gas(); })) rows |= 1U << L::u(axis);
       }
       assembly_.balance[grid.ghosted(I)] = static_cast<std::uint16_t>(rows);
     });
@@ -307,12 +307,8 @@ class AssembledModel final : public Model {
       return result;
     }
     const Condition& condition = setup_.barriers.condition(axis, I);
-    if (condition.kind.lets_solids_out()) {
-      result.kind = Constraint::follow;
-      result.neighbour = box_above(scene, axis, I) ? I + unit(axis) : I - unit(axis);
-    } else if (condition.kind.solids_normal != SolidsNormal::zero) {
+    if (condition.kind.solids_normal != SolidsNormal::zero)
       result.value = condition.velocity[axis] / assembly_.scale[component];
-    }
     return result;
   }
 
@@ -335,7 +331,7 @@ class AssembledModel final : public Model {
       return assembly_.row_scale[L::nu] * rate[assembly_.ghosted_unknown(c.component, c.node)];
     if (c.kind == Constraint::superficial)
       return (1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]) * here - c.value;
-    return here - (c.kind == Constraint::follow ? state[assembly_.ghosted_unknown(c.component, c.neighbour)] : c.value);
+    return here - c.value;
   }
 
   ModelSetup setup_;

@@ -53,9 +53,9 @@ void for_each_model(const Visit& visit) {
 
 std::string describe(const SolidsParameters& p) {
   std::ostringstream text;
-  text << "friction " << p.friction.model->name << " fluctuation " << p.friction.fluctuation
-       << " temperature " << static_cast<int>(p.temperature) << " gas " << static_cast<int>(p.gas.model) << " d "
-       << p.kinetic.d << " floor of T " << p.temperature_floor;
+  text << "friction " << p.friction.model->name << " fluctuation " << p.friction.fluctuation << " temperature "
+       << static_cast<int>(p.temperature) << " gas " << static_cast<int>(p.gas.model) << " d " << p.kinetic.d
+       << " floor of T " << p.temperature_floor;
   return text.str();
 }
 
