@@ -15,7 +15,7 @@ for h, nu in TABLE.items():
     checks.close(f"reference nu at {h} cm", NU0 * V0 / speed(h / 100), nu, absolute=1e-6)
 # At an inlet both schemes take the prescribed values without a slope, which van_albada pays with a first-order shift of the
 # whole jet by half a cell of acceleration; the order of van_albada is taken from 1 cm below the inlet on, and up to
-# 1 cm above the open side, where the zero gradient of v bends the last face.
+# 1 cm above the open side, whose control volume of half a cell is of first order.
 for scheme, order, bound in (("upwind", 1, 1e-3), ("van_albada", 2, 1e-4)):
     errors = {"nu": [], "v": []}
     for cells in (60, 120, 240):
