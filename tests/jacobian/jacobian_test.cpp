@@ -200,6 +200,20 @@ TEST_P(Jacobian, BlocksMatchDifferencesInDiluteAndEmptyRegions) {
   }
 }
 
+/// Free surfaces on every side of every axis, under gravity; every second of them closes.
+TEST_P(Jacobian, BlocksMatchDifferencesAtSurfaces) {
+  ProblemSetup base = sample_setup(GetParam());
+  base.model.gravity = {-5.0, 9.81, -0.5};
+  std::vector<NamedScene> scenes = scenes_of_mixed_kinds(base);
+  scenes.push_back({"open", base});
+  scenes.back().setup.segments = all_sides(base.box, sample_opening());
+  for (const NamedScene& scene : scenes) {
+    Evaluation problem(PETSC_COMM_WORLD, scene.setup);
+    SCOPED_TRACE(scene.name);
+    check_blocks(problem, sample(problem, Regime::surface, 11), 30.0, 11);
+  }
+}
+
 /// At nu = 0 itself the residual has a kink where v < 0 (a mass flux of zero counts as positive): no differences there.
 TEST_P(Jacobian, IsFiniteWithoutParticlesTemperatureOrMotion) {
   for (const NamedScene& scene : mixed_scenes(sample_setup(GetParam()))) {

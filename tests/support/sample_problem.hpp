@@ -242,9 +242,10 @@ class Evaluation {
 
 /// Where random states lie.
 enum class Regime {
-  dense,   ///< .52 < nu < .62
-  dilute,  ///< nu = 1e-3 ... .4
-  empty,   ///< nu = 1e-9 ... 1e-6
+  dense,    ///< .52 < nu < .62
+  dilute,   ///< nu = 1e-3 ... .4
+  empty,    ///< nu = 1e-9 ... 1e-6
+  surface,  ///< nu about .57 in every other cell along each axis, 1e-4 ... 1e-2 in the others
 };
 
 /// A random SI state of that regime, sqrt(T) about .01 m/s, velocities of both signs about .05 m/s; of the gas about
@@ -252,7 +253,9 @@ enum class Regime {
 inline double random_value(const Field& field, const Index& I, Regime regime, int seed) {
   const double z = noise(I, field.component, seed);
   if (field.symbol == "nu") {
-    if (regime == Regime::dense) return 0.57 + 0.045 * z;
+    const bool filled = regime == Regime::dense || (regime == Regime::surface && (I[0] + I[1] + I[2]) % 2 == 0);
+    if (filled) return 0.57 + 0.045 * z;
+    if (regime == Regime::surface) return 1e-4 * std::pow(100.0, 0.5 + 0.5 * z);
     if (regime == Regime::dilute) return 1e-3 * std::pow(400.0, 0.5 + 0.5 * z);
     return 1e-9 * std::pow(1000.0, 0.5 + 0.5 * z);
   }
@@ -264,7 +267,7 @@ inline double random_value(const Field& field, const Index& I, Regime regime, in
 
 /// By how much an unknown can vary, SI, until the residual shows curvature: for difference steps.
 inline double random_scale(const Field& field, double value, Regime regime) {
-  if (field.symbol == "nu") return regime == Regime::dense ? 0.02 : value;
+  if (field.symbol == "nu") return value > 0.5 ? 0.02 : value;
   if (field.symbol == "T") return value;
   if (field.symbol == "chi") return 0.01;
   if (field.symbol == "p_g") return 0.5;

@@ -7,6 +7,7 @@
 ///     rho_s nu v.grad v           advection       NormalMomentumFlux, CrossMomentumFlux (momentum_fluxes.hpp)
 ///     div sigma_s, sigma_s of (8) normal_stress   CellBalances (cell_balances.hpp)
 ///                                 shear_stress    EdgeStress (edge_stress.hpp)
+///                                 at surfaces     SurfaceStress (surface_stress.hpp)
 ///                                 (25)            WallLaws (wall_laws.hpp)
 ///     nu div sigma_g, (5)         gas_pressure    GasForces (gas_forces.hpp)
 ///                                 gas_stress      GasNormalStress, GasShearStress, GasWallStress (gas_viscosity.hpp)

@@ -8,7 +8,8 @@
 
 namespace scree {
 
-/// Velocity of the particles normal to the face: that of the wall; zero; from (3) with no stress outside, they leave; prescribed.
+/// Velocity of the particles normal to the face: that of the wall; zero; from (3) with no stress outside, they leave;
+/// prescribed.
 enum class SolidsNormal { wall, zero, open, prescribed };
 /// What shears the particles along the face: nothing, by symmetry or a smooth wall; Coulomb friction and collisions
 /// (25), (26); a wall that they stick to; nothing of its own, the shear goes on as inside.

@@ -15,6 +15,7 @@
 #include "scree/kernels/gas_volume_flux.hpp"
 #include "scree/kernels/momentum_fluxes.hpp"
 #include "scree/kernels/scalar_fluxes.hpp"
+#include "scree/kernels/surface_stress.hpp"
 #include "scree/kernels/wall_laws.hpp"
 #include "scree/model/derived_fields.hpp"
 #include "scree/model/model.hpp"
@@ -207,6 +208,7 @@ class AssembledModel final : public Model {
         visitor.template visit<ScalarFluxes<L, SecondOrder, a()>>(I);
         visitor.template visit<NormalMomentumFlux<Particles, a()>>(I);
         visitor.template visit<FaceForces<Core, a()>>(I);
+        visitor.template visit<SurfaceStress<Core, a()>>(I);
         static_for<L::dim>([&](auto b) {
           if constexpr (a() != b()) visitor.template visit<CrossMomentumFlux<Particles, a(), b()>>(I);
           if constexpr (a() < b()) visitor.template visit<EdgeStress<L, a(), b()>>(I);

@@ -1,0 +1,83 @@
+/// What carries the particles of a partly filled cell at a free surface: an inner stress of that cell.
+///
+/// (3) at the face over such a cell D moves half of D's particles. Gravity's work is booked there as g nu_f v_f, with
+/// the mean nu_f; the potential energy changes by what crosses the face, g nu_up v_f, which is nothing where the cell
+/// above is empty. Without a stress that half of D would fall freely while no mass moves, and -p div v of D would hand
+/// the work of that fall to the granular temperature, sum(v . grad p) = -sum(p div v) being exact here. So what of D's
+/// upper half cannot fall into the cell above rests on the lower half, as by a contact:
+///     sigma = m |g| surface_share compression/v_c,   m = rho_s (nu_D - nu_above) h/2,   v_c = 1e-4 sqrt(|g| d)
+/// with the speed `compression` > 0 at which the faces of D approach each other, 0 otherwise. Its work is >= 0 and goes
+/// to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid fall, expansion and
+/// leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with v_c, without a flux.
+#pragma once
+
+#include "scree/assembly/kernel.hpp"
+#include "scree/assembly/scene.hpp"
+#include "scree/balances/layout.hpp"
+
+namespace scree {
+
+/// 1 at a free surface, 0 where what lies above is more than a twentieth of what lies below: c^64 with the contrast c
+/// of the solids fractions [-]; 0.28 where the cell above holds a hundredth, 3e-6 where it holds a tenth, which is to
+/// fall in.
+template <class Number>
+Number surface_share(const Number& below, const Number& above) {
+  constexpr double nothing = 1e-9;  // voids may hold less than the root of the least number
+  return integer_power(Number((below - above) / (below + above + nothing)), 64);
+}
+
+/// Anchor I: cell I.
+template <class L, int axis>
+struct SurfaceStress {
+  static constexpr Index e = unit(axis);
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s;
+    for (int at = -1; at <= 1; ++at) s.add(L::nu, at * e);
+    s.add(L::v(axis), {});
+    s.add(L::v(axis), e);
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
+  static constexpr std::array<Output, 2> rows{{{L::v(axis), Index{}}, {L::v(axis), e}}};
+  static constexpr bool depends(int, const Input&) { return true; }
+
+  static bool active(const Scene& scene, const Index& I) {
+    const bool weight = scene.model.gravity[axis] != 0 || scene.model.vibration_amplitude[axis] != 0;
+    return weight && scene.inside(I);
+  }
+  static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
+
+  template <class Number, std::size_t count>
+  static void evaluate(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
+                       std::array<Number, count>& r) {
+    const double g = scene.gravity[axis];
+    const int up = g < 0 ? 1 : -1;
+    const Number compression = q(L::v(axis)) - q(L::v(axis), e);
+    const Number& own = q(L::nu);
+    const Number above = solids_fraction_above(scene, I, q, up);
+    if (!(compression > 0.0) || !(own > above)) return;
+    constexpr double sinking = 1e-4;  // v_c over sqrt(|g| d)
+    const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
+    const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (own - above);
+    const Number sigma = rate * mass * surface_share(own, above) * compression;
+    r[0] += out_of_control_volume(scene, axis, I, sigma);
+    r[1] -= out_of_control_volume(scene, axis, I + e, sigma);
+  }
+
+ private:
+  /// Of the cell against gravity: what may fall in. A wall over the cell leaves no surface.
+  template <class Number>
+  static Number solids_fraction_above(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
+                                      int up) {
+    const Index face = up > 0 ? I + e : I;
+    if (scene.barrier(axis, face)) {
+      const Condition& condition = scene.condition(axis, face);
+      if (condition.kind.stops_solids()) return q(L::nu);
+      return Number(condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0);
+    }
+    const Number& above = q(L::nu, up * e);
+    return above > 0.0 ? above : Number(0.0);
+  }
+};
+
+}  // namespace scree
