@@ -20,10 +20,10 @@ struct Sample {
 Sample sample(const Evaluation& problem, Regime regime, int seed) {
   Sample result;
   result.state = problem.values([&](const Field& f, const Index& I) { return random_value(f, I, regime, seed); });
-  result.width = problem.values(
-      [&](const Field& f, const Index& I) { return random_scale(f, random_value(f, I, regime, seed), regime); });
+  result.width =
+      problem.values([&](const Field& f, const Index& I) { return random_scale(f, random_value(f, I, regime, seed)); });
   result.rate = problem.values([&](const Field& f, const Index& I) {
-    return 30 * random_scale(f, random_value(f, I, regime, seed), regime) * noise(I, f.component, seed + 1000);
+    return 30 * random_scale(f, random_value(f, I, regime, seed)) * noise(I, f.component, seed + 1000);
   });
   return result;
 }

@@ -266,7 +266,7 @@ inline double random_value(const Field& field, const Index& I, Regime regime, in
 }
 
 /// By how much an unknown can vary, SI, until the residual shows curvature: for difference steps.
-inline double random_scale(const Field& field, double value, Regime regime) {
+inline double random_scale(const Field& field, double value) {
   if (field.symbol == "nu") return value > 0.5 ? 0.02 : value;
   if (field.symbol == "T") return value;
   if (field.symbol == "chi") return 0.01;
