@@ -45,7 +45,7 @@ run = program.run("surface_at_rest.yaml", "cooling", {
     "initial_bed_granular_temperature": T0, "end_time": 10})
 haff = T0 / (1 + dissipation_factor(0.1) / (0.1 * D) * np.sqrt(T0) * 10 / 3) ** 2
 checks.below("row of nu 0.1, T transported: T at 10 s over that of Haff's law",
-             run.monitor["granular_temperature_max"][-1] / haff, 1.5)
+             run.monitor["granular_temperature_max"][-1] / haff, 1.1)
 
 # A row of cells in mid-air falls with its whole weight.
 run = program.run("surface_at_rest.yaml", "mid_air", {
