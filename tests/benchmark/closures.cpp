@@ -75,7 +75,9 @@ SolidsParameters parameters(GasModel gas) {
 
 void add_whole_points(const std::string& name, const SolidsParameters& p) {
   add<nu, T, chi, div_v, S_S, slip_squared>("cell" + name, [p](const auto&... z) { return cell_closure(z..., p); });
-  add<nu, T, chi, div_v, S_S, slip_squared>("edge" + name, [p](const auto&... z) { return edge_closure(z..., p); });
+  add<nu, T, chi, div_v, S_S, slip_squared>("edge" + name, [p](const auto& nu_, const auto&... z) {
+    return edge_closure(nu_, critical_pressure(nu_, p.friction), z..., p);
+  });
   add<nu, T, slip_squared>("face_conductivity" + name, [p](const auto&... z) { return face_conductivity(z..., p); });
 }
 

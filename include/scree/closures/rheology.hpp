@@ -32,7 +32,7 @@ struct FrictionalPoint {
   Number chi;    ///< the transported variable, any constant where the rheology has none [-]
   Number div_v;  ///< [1/s]
   Number S_S;    ///< S:S of the three-dimensional deviator [1/s2]
-  Number p_c;    ///< critical_pressure [Pa]
+  Number p_c;    ///< critical_pressure; on an edge the mean over its cells [Pa]
   Number gamma;  ///< fluctuating_strain_rate [1/s]
 };
 
@@ -70,17 +70,17 @@ template <class Number>
 using CellClosureFunction = CellClosures<Number> (*)(const Number&, const Number&, const Number&, const Number&,
                                                      const Number&, const Number&, const SolidsParameters&);
 
-/// edge_closure of the same.
+/// edge_closure of (nu, p_c, T, chi, div_v, S_S, slip_squared, p).
 template <class Number>
 using EdgeClosureFunction = Number (*)(const Number&, const Number&, const Number&, const Number&, const Number&,
-                                       const Number&, const SolidsParameters&);
+                                       const Number&, const Number&, const SolidsParameters&);
 
 /// A rheology that a case can choose, with the closures compiled for it.
 struct Rheology {
   const char *name, *source;
   bool has_friction, has_unknown, uses_flow_rule;
   PerNumber<CellClosureFunction, double, Dual<3>, Dual<4>, Dual<5>, Dual<6>> cell;
-  PerNumber<EdgeClosureFunction, double, Dual<3>, Dual<4>, Dual<5>, Dual<6>> edge;
+  PerNumber<EdgeClosureFunction, double, Dual<4>, Dual<5>, Dual<6>, Dual<7>> edge;
 };
 
 }  // namespace scree

@@ -8,9 +8,9 @@
 namespace scree {
 
 template <class Number>
-FrictionalPoint<Number> frictional_point(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
-                                         const Number& S_S, const FrictionParameters& p) {
-  return {nu, T, chi, div_v, S_S, critical_pressure(nu, p), fluctuating_strain_rate(S_S, T, p)};
+FrictionalPoint<Number> frictional_point(const Number& nu, const Number& p_c, const Number& T, const Number& chi,
+                                         const Number& div_v, const Number& S_S, const FrictionParameters& p) {
+  return {nu, T, chi, div_v, S_S, p_c, fluctuating_strain_rate(S_S, T, p)};
 }
 
 // Arguments one by one: a SolidsPoint by reference would be built in memory, a quarter of the time without gas.
@@ -37,7 +37,8 @@ CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const
   FrictionalStress<Number> sigma_f{Number(0.0), Number(0.0)};
   Number steady = 0.0;
   if constexpr (R::has_friction) {
-    const FrictionalPoint<Number> at = frictional_point(nu, theta, chi, div_v, S_S, p.friction);
+    const FrictionalPoint<Number> at =
+        frictional_point(nu, critical_pressure(nu, p.friction), theta, chi, div_v, S_S, p.friction);
     sigma_f = R::stress(at, p.friction);
     steady = R::steady(at, p.friction);
   }
@@ -62,15 +63,15 @@ CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const
 
 /// edge_closure, `f` from kinetic_factors, `gas` a GasEffect or NoGas.
 template <class R, class Number, std::size_t count, class Gas>
-Number edge_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu, const Number& T,
-                         const Number& chi, const Number& div_v, const Number& S_S, const Number& slip_squared,
-                         const SolidsParameters& p) {
+Number edge_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu, const Number& p_c,
+                         const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
+                         const Number& slip_squared, const SolidsParameters& p) {
   const SolidsPoint<Number> q{nu, T, chi, div_v, S_S, slip_squared};
   const KineticParameters& k = p.kinetic;
   const auto [theta, sqrt_T] = temperature(q, f, gas, p);
   const Number mu_k = (k.rho_s * k.d) * damped_shear_factor(nu, f, gas, sqrt_T, k) * sqrt_T;
   if constexpr (R::has_friction)
-    return mu_k + R::stress(frictional_point(nu, theta, chi, div_v, S_S, p.friction), p.friction).viscosity;
+    return mu_k + R::stress(frictional_point(nu, p_c, theta, chi, div_v, S_S, p.friction), p.friction).viscosity;
   else
     return mu_k;
 }
@@ -88,13 +89,13 @@ CellClosures<Number> cell_closure_by(const Number& nu, const Number& T, const Nu
 
 /// edge_closure of a rheology.
 template <class R, class Number>
-Number edge_closure_by(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                       const Number& slip_squared, const SolidsParameters& p) {
+Number edge_closure_by(const Number& nu, const Number& p_c, const Number& T, const Number& chi, const Number& div_v,
+                       const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
   if (p.gas.model == GasModel::none)
-    return edge_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
+    return edge_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, p_c, T, chi, div_v, S_S, slip_squared, p);
   const auto f = kinetic_factors<factors_with_gas>(nu, p.kinetic);
   const auto gas = gas_effect(nu, f, slip_squared, p.kinetic, p.gas);
-  return edge_closure_with<R>(f, gas, nu, T, chi, div_v, S_S, slip_squared, p);
+  return edge_closure_with<R>(f, gas, nu, p_c, T, chi, div_v, S_S, slip_squared, p);
 }
 
 /// The entry of a rheology.
@@ -107,7 +108,7 @@ inline constexpr Rheology rheology{
     R::uses_flow_rule,
     {&cell_closure_by<R, double>, &cell_closure_by<R, Dual<3>>, &cell_closure_by<R, Dual<4>>,
      &cell_closure_by<R, Dual<5>>, &cell_closure_by<R, Dual<6>>},
-    {&edge_closure_by<R, double>, &edge_closure_by<R, Dual<3>>, &edge_closure_by<R, Dual<4>>,
-     &edge_closure_by<R, Dual<5>>, &edge_closure_by<R, Dual<6>>}};
+    {&edge_closure_by<R, double>, &edge_closure_by<R, Dual<4>>, &edge_closure_by<R, Dual<5>>,
+     &edge_closure_by<R, Dual<6>>, &edge_closure_by<R, Dual<7>>}};
 
 }  // namespace scree

@@ -38,11 +38,12 @@ CellClosures<Number> cell_closure(const Number& nu, const Number& T, const Numbe
   return std::get<CellClosureFunction<Number>>(p.friction.model->cell)(nu, T, chi, div_v, S_S, slip_squared, p);
 }
 
-/// The viscosity of cell_closure alone, for shear stresses on edges [Pa s].
+/// The viscosity of cell_closure alone, for shear stresses on edges, with p_c of (18) given [Pa s]. Number is double or
+/// Dual<4> ... Dual<7>.
 template <class Number>
-Number edge_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                    const Number& slip_squared, const SolidsParameters& p) {
-  return std::get<EdgeClosureFunction<Number>>(p.friction.model->edge)(nu, T, chi, div_v, S_S, slip_squared, p);
+Number edge_closure(const Number& nu, const Number& p_c, const Number& T, const Number& chi, const Number& div_v,
+                    const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
+  return std::get<EdgeClosureFunction<Number>>(p.friction.model->edge)(nu, p_c, T, chi, div_v, S_S, slip_squared, p);
 }
 
 /// kappa such that (1.3) is q = -kappa grad T, with k* of (1.5) if there is gas [kg/(m s)]. For transported T.

@@ -63,10 +63,11 @@ struct EdgeStress {
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
     const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu);
-    const Number mu =
-        through([&](const auto& nu_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
-                    const auto& slip_) { return edge_closure(nu_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
-                nu, T, chi, div_v, S_S, slip_squared);
+    const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, q(L::nu, cell)); });
+    const Number mu = through(
+        [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
+            const auto& slip_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
+        nu, p_c, T, chi, div_v, S_S, slip_squared);
     const Number sigma = SolidsMomentum::shear_stress(mu, D_ab);
 
     const bool near = scene.near;
@@ -79,6 +80,15 @@ struct EdgeStress {
   }
 
  private:
+  /// p_c (18) of a cell. An edge takes the mean of its cells, not p_c at their mean nu, which is nothing beside a
+  /// partly filled cell: the row at a surface would slide on the bed without friction. Where nu is smooth the two
+  /// differ by the square of the cell.
+  template <class Number>
+  static Number pressure_in(const Scene& scene, const Number& nu) {
+    const FrictionParameters& friction = scene.solids.friction;
+    return friction.model->has_friction ? critical_pressure(nu, friction) : Number(0.0);
+  }
+
   /// Whether the edge lies on one side of the box, between two cells, and an open part of that side is beside it.
   static bool beside_opening(const Scene& scene, const Index& I) {
     if (on_side_of_axis(scene, a, I) && on_side_of_axis(scene, b, I)) return false;

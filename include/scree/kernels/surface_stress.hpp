@@ -60,8 +60,8 @@ struct SurfaceStress {
     const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (own - above);
     const Number sigma = rate * mass * surface_share(own, above) * compression;
-    r[0] += out_of_control_volume(scene, axis, I, sigma);
-    r[1] -= out_of_control_volume(scene, axis, I + e, sigma);
+    r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
+    r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
   }
 
  private:

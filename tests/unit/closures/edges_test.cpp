@@ -112,7 +112,7 @@ TEST(Edges, ViscosityOfAnEdge) {
   for_each_model([](const SolidsParameters& p) {
     for_each_edge([&](const std::array<double, 6>& x) {
       const auto q = seeded(x);
-      const auto mu = edge_closure(q[0], q[1], q[2], q[3], q[4], q[5], p);
+      const auto mu = edge_closure(q[0], critical_pressure(q[0], p.friction), q[1], q[2], q[3], q[4], q[5], p);
       if (!finite(mu) || !(mu.value >= 0)) ADD_FAILURE() << mu.value << ", " << describe(p) << ", at" << list(x);
     });
   });

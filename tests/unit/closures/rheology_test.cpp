@@ -51,7 +51,7 @@ struct AllStress {
   std::array<Number, 3> operator()(const std::array<Number, 5>& x) const {
     const auto cell = cell_closure(x[0], x[1], x[2], x[3], x[4], Number(0.0), p);
     return {cell[CellClosure::pressure], cell[CellClosure::viscosity],
-            edge_closure(x[0], x[1], x[2], x[3], x[4], Number(0.0), p)};
+            edge_closure(x[0], critical_pressure(x[0], p.friction), x[1], x[2], x[3], x[4], Number(0.0), p)};
   }
 };
 
@@ -67,7 +67,8 @@ TEST(FrictionModels, TakeOneFromOutside) {
   EXPECT_NEAR(with[CellClosure::frictional_viscosity] * rate, tau, 1e-6);
   EXPECT_DOUBLE_EQ(with[CellClosure::viscosity],
                    kinetic[CellClosure::viscosity] + with[CellClosure::frictional_viscosity]);
-  EXPECT_DOUBLE_EQ(edge_closure(nu, 1e-4, 1.0, 1.0, S_S, 0.0, p), with[CellClosure::viscosity]);
+  EXPECT_DOUBLE_EQ(edge_closure(nu, critical_pressure(nu, p.friction), 1e-4, 1.0, 1.0, S_S, 0.0, p),
+                   with[CellClosure::viscosity]);
   testing::expect_derivatives_match(AllStress{p}, std::array<double, 5>{nu, 1e-4, .9, 1, S_S}, {.07, 1e-4, .03, 1, S_S},
                                     "mu(I)", 1e-7);
 }

@@ -39,7 +39,7 @@ TEST(StressWithGas, EntriesAreTheClosures) {
     EXPECT_DOUBLE_EQ(result[CellClosure::drag_over_nu], beta / nu);
     EXPECT_NEAR(result[CellClosure::viscosity], mu, 1e-13 * mu);
     EXPECT_LT(mu, .99 * shear_viscosity(nu, sqrt_T, p.kinetic)) << "the gas must matter here";
-    EXPECT_NEAR(edge_closure(nu, T, 1.0, div_v, S_S, slip2, p), mu, 1e-13 * mu);
+    EXPECT_NEAR(edge_closure(nu, critical_pressure(nu, p.friction), T, 1.0, div_v, S_S, slip2, p), mu, 1e-13 * mu);
     const double J_vis = viscous_dissipation(nu, T, sqrt_T, beta, slip2, p.gas.mu_g, p.kinetic);
     const double source = 2 * mu * S_S - result[CellClosure::pressure] * div_v - dissipation(nu, T, sqrt_T, p.kinetic);
     EXPECT_NEAR(result[CellClosure::energy_source], source - J_vis, 1e-12 * (std::abs(source) + std::abs(J_vis)));
@@ -157,7 +157,8 @@ struct AllStress {
     std::copy(cell.begin(), cell.end(), result.begin());
     // Zero up to round-off, which differences would only amplify.
     if (p.temperature == TemperatureModel::algebraic) result[CellClosure::energy_source] = 0.0;
-    result[CellClosure::count] = edge_closure(x[0], x[1], x[2], x[3], x[4], x[5], p);
+    result[CellClosure::count] =
+        edge_closure(x[0], critical_pressure(x[0], p.friction), x[1], x[2], x[3], x[4], x[5], p);
     result[CellClosure::count + 1] =
         through([&](const auto& nu, const auto& T, const auto& slip2) { return face_conductivity(nu, T, slip2, p); },
                 x[0], x[1], x[5]);

@@ -87,7 +87,8 @@ TEST(CellClosure, ReferenceValues) {
     expect(CellClosure::frictional_viscosity, row.mu_f);
     EXPECT_EQ(result[CellClosure::temperature], row.T);
     EXPECT_NEAR(result[CellClosure::sqrt_temperature], std::sqrt(row.T), 1e-8 * std::sqrt(row.T));
-    EXPECT_NEAR(edge_closure(row.nu, row.T, row.chi, row.div_v, row.S_S, 0.0, p), row.viscosity, 1e-8 * row.viscosity);
+    EXPECT_NEAR(edge_closure(row.nu, critical_pressure(row.nu, p.friction), row.T, row.chi, row.div_v, row.S_S, 0.0, p),
+                row.viscosity, 1e-8 * row.viscosity);
   }
 }
 
@@ -173,7 +174,8 @@ struct AllStress {
     std::copy(cell.begin(), cell.end(), result.begin());
     // Zero up to round-off, which differences would only amplify.
     if (p.temperature == TemperatureModel::algebraic) result[CellClosure::energy_source] = 0.0;
-    result[CellClosure::count] = edge_closure(x[0], x[1], x[2], x[3], x[4], Number(0.0), p);
+    result[CellClosure::count] =
+        edge_closure(x[0], critical_pressure(x[0], p.friction), x[1], x[2], x[3], x[4], Number(0.0), p);
     return result;
   }
 };
