@@ -27,7 +27,11 @@ PresetTrial::Rule trial_rule(const Case& the_case) {
 
 StepControl Simulation::step_control(const Case& the_case) {
   const TimeParameters& t = the_case.time;
-  return {t.scheme, {t.step_initial, t.step_min, t.step_max, t.adaptive}, t.accuracy, the_case.solver.extrapolate};
+  return {t.scheme,
+          {t.step_initial, t.step_min, t.step_max, t.adaptive},
+          t.accuracy,
+          the_case.solver.tangent,
+          the_case.solver.extrapolate};
 }
 
 Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& models, Progress& log)

@@ -70,6 +70,12 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
   o.real("friction_strain_rate_floor", friction.strain_rate_floor, "1/s", non_negative(),
          "floor^2 is added under sqrt(S:S + c T/d^2)")
       .used_if(some, absent);
+  friction.flow_rule_floor = friction.fluctuation < 1 ? 1 : 0;
+  o.real("friction_flow_rule_floor", friction.flow_rule_floor, "1/s", non_negative(),
+         "floor^2 is added under sqrt(S:S + c T/d^2 + eps^2) in the flow rule (21): a bed that shears more slowly is at "
+         "its critical state")
+      .default_from("1 1/s where friction_fluctuation is below 1, else 0")
+      .used_if(with_chi, no_chi);
 
   // Here, because the default depends on friction: without it collisions alone hold up a packed bed.
   const bool transported = temperature == TemperatureModel::transport;

@@ -15,6 +15,11 @@ void declare_solver(OptionSet& o, Case& the_case) {
           .unset_by_default(  // one written into the effective case would be given when that is run again
               "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")
           .given;
+  o.choice("newton_tangent", the_case.solver.tangent,
+           {{"exact", TangentKind::exact}, {"stress_velocity", TangentKind::stress_velocity}},
+           "tangent of S/gamma in Newton's method, for the way to the solution alone: the derivative, or the form of "
+           "Rudi et al. (2020), which holds where a bed hardly moves")
+      .used_if(the_case.friction.model->has_friction, "friction_model is none");
   o.boolean("solver_extrapolate", the_case.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", the_case.solver.view, "print the PETSc options that the preset stands for");
   o.real("scale_velocity", the_case.scale_velocity, "m/s", non_negative(),

@@ -82,6 +82,7 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscCall(SNESSetUp(self.newton_));
 
   PetscCall(self.guess(state, reason < 0));
+  self.problem_.model().begin_newton(self.tests_jacobian_ ? TangentKind::exact : self.control_.tangent);
   PetscCall(SNESSolve(self.newton_, right_side, state));
   PetscCall(SNESGetConvergedReason(self.newton_, &reason));
   PetscCall(SNESGetIterationNumber(self.newton_, &iterations));

@@ -1,6 +1,7 @@
 /// What kernels know of the scene beside the unknowns: grid, conditions at faces, parameters.
 #pragma once
 
+#include "scree/assembly/newton_tangent.hpp"
 #include "scree/assembly/parameters.hpp"
 #include "scree/boundary/barriers.hpp"
 #include "scree/grid/metrics.hpp"
@@ -13,6 +14,7 @@ struct Scene : Metrics {
   const SolidsParameters& solids;
   double time = 0;                               ///< for flows of gas that are given as functions of time [s]
   std::array<double, max_dim> gravity{0, 0, 0};  ///< as it is felt in the box, which may vibrate [m/s2]
+  NewtonTangent* tangent = nullptr;              ///< of a Jacobian that is not the exact one
 
   Scene(const Lattice& lattice_, const Barriers& barriers_, const ModelParameters& model_,
         const SolidsParameters& solids_)

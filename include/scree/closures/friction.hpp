@@ -46,13 +46,13 @@ struct FrictionParameters {
   double d = 1e-3;                      ///< particle diameter [m]
   bool lagged = false;                  ///< chi of a step from the state before it, as segregated codes have it
   double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + c T/d^2 + floor^2) [1/s]
+  double flow_rule_floor = 0;           ///< rate of shear below which the flow rule (21) asks less and less [1/s]
 };
 
 // Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
 inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < .024 there
 inline constexpr double compaction_clip_width = 0.1;  ///< of the same base at n/(n-1), relative
 inline constexpr double yield_clip_width = 1e-2;      ///< of the braces of (14) at 0
-inline constexpr double branch_width = 1e-2;          ///< of |div v|/gamma, within which (14) passes between its n
 
 /// base^exponent for base >= width, 0 for base <= 0, and between them the cubic that meets both with their slopes:
 /// a power below one has an infinite slope at 0. 0 < exponent < 3.
@@ -89,8 +89,8 @@ Number critical_pressure(const Number& nu, const FrictionParameters& p) {
   return by_one_argument<FrictionPressureFunction>(p.pressure->p_c, nu, p);
 }
 
-/// Exponent n of (21): the one of dilation or of compaction by the sign of div v. (21) is continuous across the switch
-/// (its slope jumps). (14) at given chi is not, unless chi = 1: see yield_factor.
+/// Exponent n of (21): the one of dilation or of compaction by the sign of div v. (21) is continuous across the switch,
+/// its slope jumps.
 template <class Number>
 double yield_exponent(const Number& div_v, const FrictionParameters& p) {
   return div_v >= 0.0 ? p.n_dilation : p.n_compaction;
@@ -114,11 +114,14 @@ Number fluctuating_strain_rate(const Number& S_S, const Number& T, const Frictio
 }
 
 /// 1 - div v/(n sqrt(2) sin(phi) gamma) of (21), bounded above by n/(n-1), the tip of the yield surface [-].
-/// It equals chi*^(1/(n-1)). Negative where the dilation is faster than the flow rule allows.
+/// It equals chi*^(1/(n-1)). Negative where the dilation is faster than the flow rule allows. Without T/d^2 both rates
+/// vanish in a bed at rest and their ratio is anything: flow_rule_floor adds to gamma, so that such a bed is at its
+/// critical state.
 template <class Number>
 Number chi_star_base(const Number& div_v, const Number& gamma, const FrictionParameters& p) {
   const double n = yield_exponent(div_v, p);
-  const Number base = 1.0 - div_v / (n * friction_coefficient(p) * gamma);
+  const Number rate = sqrt(gamma * gamma + p.flow_rule_floor * p.flow_rule_floor);
+  const Number base = 1.0 - div_v / (n * friction_coefficient(p) * rate);
   const double tip = n / (n - 1);
   return rounded_minimum(base, tip, compaction_clip_width * tip);
 }
@@ -147,17 +150,13 @@ Number yield_factor_of_branch(const Number& chi, double n, const FrictionParamet
   return yield_factor_of_base(Number(pow(chi, 1 / (n - 1))), n, p);
 }
 
-/// The same by the sign of div v; where |div v| is within branch_width of gamma it passes from one branch to the other:
-/// the model says nothing of div v = 0 with chi != 1, and a jump there is a residual that Newton's method cannot zero
-/// in a bed that hardly moves.
+/// The same on the whole yield surface: for chi < 1 the branch of dilation, for chi > 1 that of compaction. By (13) it is
+/// the branch that the sign of div v chooses wherever the flow rule holds, and both have one slope at chi = 1. With the
+/// sign of div v the stress would jump at div v = 0 where chi has not relaxed to 1, and Newton's method with it in a bed
+/// that hardly moves.
 template <class Number>
-Number yield_factor(const Number& chi, const Number& div_v, const Number& gamma, const FrictionParameters& p) {
-  const Number x = div_v / (branch_width * gamma);
-  if (x >= 1.0) return yield_factor_of_branch(chi, p.n_dilation, p);
-  if (x <= -1.0) return yield_factor_of_branch(chi, p.n_compaction, p);
-  const Number dilating = 0.5 + x * (0.75 - 0.25 * x * x);  // 0 to 1, smooth at both ends
-  return dilating * yield_factor_of_branch(chi, p.n_dilation, p) +
-         (1.0 - dilating) * yield_factor_of_branch(chi, p.n_compaction, p);
+Number yield_factor(const Number& chi, const FrictionParameters& p) {
+  return yield_factor_of_branch(chi, chi < 1.0 ? p.n_dilation : p.n_compaction, p);
 }
 
 }  // namespace scree

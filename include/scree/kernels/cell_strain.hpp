@@ -63,44 +63,6 @@ template <class L, class Q>
                 difference_at_face(scene, a, edge, q(L::v(b), at - unit(a)), q(L::v(b), at)));
 }
 
-template <class Number, int dim>
-struct CellStrain {
-  std::array<Number, dim> D;  ///< normal components D_aa [1/s]
-  Number div_v;               ///< [1/s]
-  Number S_S;                 ///< S:S [1/s2]
-
-  /// S_aa [1/s].
-  Number S(int a) const { return D[a] - div_v / 3.0; }
-};
-
-template <class L, class Q>
-auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
-  CellStrain<Number, L::dim> strain;
-  strain.div_v = Number(0.0);
-  strain.S_S = Number(0.0);
-  for (int a = 0; a < L::dim; ++a) {
-    strain.D[a] = difference_in_cell(scene, a, I, q(L::v(a)), q(L::v(a), unit(a)));
-    strain.div_v += strain.D[a];
-    strain.S_S += strain.D[a] * strain.D[a];
-  }
-  strain.S_S -= strain.div_v * strain.div_v / 3.0;
-
-  const bool near = scene.near;
-  for (int a = 0; a < L::dim; ++a)
-    for (int b = a + 1; b < L::dim; ++b) {
-      const auto weights =
-          near ? edge_weights(scene, I, a, b) : std::array<std::array<double, 2>, 2>{{{0.25, 0.25}, {0.25, 0.25}}};
-      for (int side_a = 0; side_a < 2; ++side_a)
-        for (int side_b = 0; side_b < 2; ++side_b) {
-          if (weights[side_a][side_b] == 0) continue;
-          const Number D_ab = shear_rate<L>(scene, I, q, a, b, side_a * unit(a) + side_b * unit(b));
-          strain.S_S += (2 * weights[side_a][side_b]) * (D_ab * D_ab);
-        }
-    }
-  return strain;
-}
-
 /// T or chi among the inputs, or a constant where it is no unknown: `through` does not differentiate a double.
 template <class L, class Q>
 decltype(auto) temperature_input(const Q& q, const Index& at = {}) {
@@ -115,6 +77,59 @@ decltype(auto) chi_input(const Q& q, const Index& at = {}) {
     return q(L::chi, at);
   else
     return 1.0;
+}
+
+/// S:S of the components of S at a place with anchor I, with the derivative that the tangent asked for has. T is the
+/// granular temperature where it is an unknown; `kind` gives the directions of the places of this kind.
+template <class Number, std::size_t capacity, class Temperature, class Kind>
+[[gnu::always_inline]] inline Number square_of_strain(const Scene& scene, const StrainComponents<Number, capacity>& S,
+                                                      [[maybe_unused]] const Temperature& T,
+                                                      [[maybe_unused]] const Index& I, [[maybe_unused]] Kind&& kind) {
+  Number S_S = S.square();
+  if constexpr (IsDual<Number>::value)
+    if (scene.tangent) {
+      const double gamma = fluctuating_strain_rate(value_of(S_S), value_of(T), scene.solids.friction);
+      kind(*scene.tangent)->replace(static_cast<std::size_t>(scene.lattice.ghosted(I)), S, gamma, S_S);
+    }
+  return S_S;
+}
+
+template <class Number, int dim>
+struct CellStrain {
+  std::array<Number, dim> D;  ///< normal components D_aa [1/s]
+  Number div_v;               ///< [1/s]
+  Number S_S;                 ///< S:S [1/s2]
+
+  /// S_aa [1/s].
+  Number S(int a) const { return D[a] - div_v / 3.0; }
+};
+
+template <class L, class Q>
+auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
+  using Number = std::decay_t<decltype(q(L::nu))>;
+  CellStrain<Number, L::dim> strain;
+  StrainComponents<Number, L::dim + 1 + 2 * L::dim*(L::dim - 1)> S;
+  strain.div_v = Number(0.0);
+  for (int a = 0; a < L::dim; ++a) {
+    strain.D[a] = difference_in_cell(scene, a, I, q(L::v(a)), q(L::v(a), unit(a)));
+    strain.div_v += strain.D[a];
+    S.add(strain.D[a], 1);
+  }
+  S.add(strain.div_v, -1.0 / 3);
+
+  const bool near = scene.near;
+  for (int a = 0; a < L::dim; ++a)
+    for (int b = a + 1; b < L::dim; ++b) {
+      const auto weights =
+          near ? edge_weights(scene, I, a, b) : std::array<std::array<double, 2>, 2>{{{0.25, 0.25}, {0.25, 0.25}}};
+      for (int side_a = 0; side_a < 2; ++side_a)
+        for (int side_b = 0; side_b < 2; ++side_b) {
+          if (weights[side_a][side_b] == 0) continue;
+          S.add(shear_rate<L>(scene, I, q, a, b, side_a * unit(a) + side_b * unit(b)), 2 * weights[side_a][side_b]);
+        }
+    }
+  strain.S_S = square_of_strain(scene, S, temperature_input<L>(q), I, [](NewtonTangent& t) { return &t.cells; });
+  return strain;
 }
 
 /// The chosen entries of the closures of cell I, e.g. closures<L, CellClosure::pressure>(...)[0].

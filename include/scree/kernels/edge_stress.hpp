@@ -58,9 +58,9 @@ struct EdgeStress {
   static void evaluate(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
                        std::array<Number, count>& r) {
     const Number D_ab = shear_rate<L>(scene, I, q, a, b, {});
-    const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab);
     const Number nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
+    const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab, T);
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
     const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu);
     const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, q(L::nu, cell)); });
@@ -138,37 +138,40 @@ struct EdgeStress {
 
   /// {div v, S:S} at the edge: D_ab as it is, normal components as means over the four cells, other shear components
   /// as means of the squares over the edges about.
-  template <class Number>
+  template <class Number, class Temperature>
   static std::array<Number, 2> strain_invariants(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
-                                                 const Number& D_ab) {
-    Number div_v(0.0), S_S = 2.0 * D_ab * D_ab;
+                                                 const Number& D_ab, const Temperature& T) {
+    Number div_v(0.0);
+    StrainComponents<Number, component_count> S;
+    S.add(D_ab, 2);
     for (int axis = 0; axis < L::dim; ++axis) {
       const Number D = mean(scene, I, [&](const Index& cell) {
         return difference_in_cell(scene, axis, I + cell, q(L::v(axis), cell), q(L::v(axis), cell + unit(axis)));
       });
       div_v += D;
-      S_S += D * D;
-      if (axis != a && axis != b) S_S += other_shear(scene, I, q, axis);
+      S.add(D, 1);
+      if (axis != a && axis != b) add_other_shear(scene, I, q, axis, S);
     }
-    S_S -= div_v * div_v / 3.0;
-    return {div_v, S_S};
+    S.add(div_v, -1.0 / 3);
+    return {div_v, square_of_strain(scene, S, T, I, [](NewtonTangent& t) { return &t.edges[3 - a - b]; })};
   }
 
-  /// 2 D_ac^2 + 2 D_bc^2, c being the axis along the edge; edges on barriers count with zero.
+  /// The most components of S at an edge: D_ab, D_aa, div v and D_ac, D_bc on the edges about.
+  static constexpr std::size_t component_count = L::dim + 2 + (L::dim > 2 ? 8 : 0);
+
+  /// D_ac and D_bc, c being the axis along the edge; edges on barriers count with zero.
   template <class Number>
-  static Number other_shear(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, int c) {
-    Number sum(0.0);
+  static void add_other_shear(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, int c,
+                              StrainComponents<Number, component_count>& S) {
     for (int side = 0; side < 2; ++side)
       for (int back = 0; back < 2; ++back) {
         const auto add = [&](int axis, const Index& at) {
           if (scene.barrier(c, I + at) || scene.barrier(c, I + at - unit(axis))) return;
-          const Number D = shear_rate<L>(scene, I, q, axis, c, at);
-          sum += 0.5 * (D * D);
+          S.add(shear_rate<L>(scene, I, q, axis, c, at), 0.5);
         };
         add(a, side * unit(c) - back * e_b);
         add(b, side * unit(c) - back * e_a);
       }
-    return sum;
   }
 };
 

@@ -70,7 +70,9 @@ class AssembledModel final : public Model {
 
   void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
                 double* diagonal, double* off_diagonal) const override {
-    const Scene scene = assembly_.scene.at(time);
+    Scene scene = assembly_.scene.at(time);
+    scene.tangent = tangent_.get();
+    if (tangent_) tangent_->next();
     Assembly::JacobianVisitor visitor(assembly_, scene, state, rate, shift, places, diagonal, off_diagonal);
     sweep(visitor);
     each_constraint(scene, [&](const Constraint& c) {
@@ -82,6 +84,16 @@ class AssembledModel final : public Model {
       visitor.put(c.kind == Constraint::freeze ? shift * assembly_.row_scale[L::nu] : 1.0);
     });
     each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
+  }
+
+  void begin_newton(TangentKind kind) const override {
+    if (kind == TangentKind::exact || !setup_.solids.friction.model->has_friction) {
+      tangent_.reset();
+    } else if (tangent_) {
+      tangent_->restart();
+    } else {
+      tangent_ = std::make_unique<NewtonTangent>(setup_.lattice.ghosted_size(), L::dim);
+    }
   }
 
   void impose_gas(double time, const double* state, double* owned) const override {
@@ -337,6 +349,7 @@ class AssembledModel final : public Model {
   }
 
   ModelSetup setup_;
+  mutable std::unique_ptr<NewtonTangent> tangent_;  ///< none: the exact one
   Assembly assembly_;
   std::vector<Field> fields_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scree/assembly/entries.hpp"
+#include "scree/assembly/newton_tangent.hpp"
 #include "scree/assembly/parameters.hpp"
 #include "scree/boundary/barriers.hpp"
 #include "scree/grid/lattice.hpp"
@@ -33,6 +34,9 @@ class Model {
   /// Adds dF/dU + shift dF/d(dU/dt) into the arrays of the two blocks, zeroed by the caller.
   virtual void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
                         double* diagonal, double* off_diagonal) const = 0;
+
+  /// Newton's method begins anew, with this tangent: see assembly/newton_tangent.hpp.
+  virtual void begin_newton(TangentKind tangent) const = 0;
 
   /// The residual of (1) at an owned cell is rate - divergence in units of 1/time scale; this is that factor.
   virtual double continuity_scale() const = 0;

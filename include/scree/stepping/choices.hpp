@@ -1,6 +1,8 @@
 /// Choices that users make among time schemes and solvers.
 #pragma once
 
+#include "scree/assembly/newton_tangent.hpp"
+
 namespace scree {
 
 /// Backward Euler, BDF of order 2, stiffly accurate implicit Runge-Kutta of order 2 (TSARKIMEX2E).

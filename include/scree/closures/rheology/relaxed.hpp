@@ -13,7 +13,7 @@ struct Relaxed {
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
     if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
     const Number p_f = q.chi * q.p_c;
-    return {p_f, p_f * yield_factor(q.chi, q.div_v, q.gamma, p) / (2.0 * q.gamma)};
+    return {p_f, p_f * yield_factor(q.chi, p) / (2.0 * q.gamma)};
   }
 
   template <class Number>

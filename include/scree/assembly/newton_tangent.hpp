@@ -1,0 +1,119 @@
+/// The tangent of S/gamma for Newton's method where a bed hardly moves, after Rudi, Shih and Stadler (2020), "Advanced
+/// Newton methods for geodynamical models of Stokes flow with viscoplastic rheologies", G-cubed 21, e2020GC009059.
+///
+/// Friction is mu_f S ~ S/gamma, gamma^2 = S:S + c T/d^2 + eps^2. Its derivative dS/gamma - S (S:dS)/gamma^3 is nearly
+/// singular along S where gamma is small, and far from the solution its second term sends Newton's method astray.
+/// The stress-velocity form has a tensor Pi, |Pi| <= 1, in the place of one S/gamma: dS/gamma - S (Pi:dS)/gamma^2. Pi
+/// follows from gamma Pi = S linearised about the iterate before, so that both agree at the solution. It is no unknown,
+/// and solutions are those of the exact tangent.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "scree/math/dual.hpp"
+
+namespace scree {
+
+enum class TangentKind { exact, stress_velocity };
+
+/// A strain rate by components with weights, such that S:S' = sum_k weight_k S_k S'_k: of the deviator, where div v is
+/// one of them with the weight -1/3.
+template <class Number, std::size_t capacity>
+struct StrainComponents {
+  std::array<Number, capacity> value;
+  std::array<double, capacity> weight;
+  std::size_t size = 0;
+
+  void add(const Number& component, double its_weight) {
+    value[size] = component;
+    weight[size++] = its_weight;
+  }
+  /// S:S [1/s2].
+  Number square() const {
+    Number sum(0.0);
+    for (std::size_t k = 0; k < size; ++k) sum += weight[k] * (value[k] * value[k]);
+    return sum;
+  }
+};
+
+/// Pi at the places of one kind: cells, or edges along one axis.
+class StressDirections {
+ public:
+  /// For `places` places of at most `components` components.
+  void resize(std::size_t places, std::size_t components) {
+    components_ = components;
+    values_.assign(2 * components * places, 0);
+    gamma_.assign(places, 0);
+    made_.assign(places, -1);
+  }
+  /// Newton's method begins anew: the first tangent is the exact one.
+  void restart() { std::fill(made_.begin(), made_.end(), -1); }
+  /// The tangents asked from now on belong to another iterate.
+  void next() { ++iterate_; }
+
+  /// Replaces the derivative of `S_S`, the square of `S`, by 2 gamma Pi:dS. `gamma` [1/s] may leave out what does not
+  /// depend on S: at the first iterate the derivative is the exact one whatever it is.
+  template <class Number, std::size_t capacity>
+  void replace(std::size_t place, const StrainComponents<Number, capacity>& S, double gamma, Number& S_S) {
+    if (!(gamma > 0)) return;  // nothing moves and nothing floors it: the exact derivative is 0 too
+    if (made_[place] != iterate_) update(place, S, gamma);
+    const double* Pi = &values_[2 * components_ * place];
+    for (std::size_t j = 0; j < S_S.derivative.size(); ++j) {
+      double along = 0;
+      for (std::size_t k = 0; k < S.size; ++k) along += S.weight[k] * Pi[k] * S.value[k].derivative[j];
+      S_S.derivative[j] = 2 * gamma_[place] * along;
+    }
+  }
+
+ private:
+  template <class Number, std::size_t capacity>
+  void update(std::size_t place, const StrainComponents<Number, capacity>& S, double gamma) {
+    double *Pi = &values_[2 * components_ * place], *old = Pi + components_;
+    const bool first = made_[place] < 0;
+    const double before = gamma_[place];
+    double change = 0, norm = 0;
+    for (std::size_t k = 0; k < S.size && !first; ++k) change += S.weight[k] * old[k] * (S.value[k].value - old[k]);
+    for (std::size_t k = 0; k < S.size; ++k) {
+      Pi[k] = first ? S.value[k].value / gamma : (S.value[k].value - Pi[k] * change / before) / before;
+      norm += S.weight[k] * Pi[k] * Pi[k];
+      old[k] = S.value[k].value;
+    }
+    if (!first && norm > 1)
+      for (std::size_t k = 0; k < S.size; ++k) Pi[k] /= std::sqrt(norm);
+    gamma_[place] = gamma;
+    made_[place] = iterate_;
+  }
+
+  std::size_t components_ = 0;
+  int iterate_ = 0;
+  std::vector<double> values_;  ///< Pi and the S of the iterate before, place by place
+  std::vector<double> gamma_;   ///< of the iterate before [1/s]
+  std::vector<int> made_;       ///< iterate that Pi belongs to, -1 for none
+};
+
+/// Pi of all cells and edges of a rank, by the ghosted index of their anchor.
+struct NewtonTangent {
+  StressDirections cells;
+  std::array<StressDirections, 3> edges;  ///< by the axis along them
+
+  NewtonTangent(std::size_t places, int dim) {
+    const auto n = static_cast<std::size_t>(dim);
+    cells.resize(places, n + 1 + 2 * n * (n - 1));  // D_aa, div v and the four edges of each pair of axes
+    for (int axis = 0; axis < 3; ++axis)
+      if (dim > 2 || (dim == 2 && axis == 2)) edges[axis].resize(places, n + 2 + (dim > 2 ? 8 : 0));
+  }
+  void restart() {
+    cells.restart();
+    for (auto& kind : edges) kind.restart();
+  }
+  void next() {
+    cells.next();
+    for (auto& kind : edges) kind.next();
+  }
+};
+
+}  // namespace scree
