@@ -50,13 +50,16 @@ class StressDirections {
     gamma_.assign(places, 0);
     made_.assign(places, -1);
   }
-  /// Newton's method begins anew: the first tangent is the exact one.
-  void restart() { std::fill(made_.begin(), made_.end(), -1); }
+  /// Newton's method begins anew, with Pi = first S/gamma: the exact tangent where `first` is 1.
+  void restart(double first) {
+    first_ = first;
+    std::fill(made_.begin(), made_.end(), -1);
+  }
   /// The tangents asked from now on belong to another iterate.
   void next() { ++iterate_; }
 
-  /// Replaces the derivative of `S_S`, the square of `S`, by 2 gamma Pi:dS. `gamma` [1/s] may leave out what does not
-  /// depend on S: at the first iterate the derivative is the exact one whatever it is.
+  /// Replaces the derivative of `S_S`, the square of `S`, by 2 gamma Pi:dS. `gamma` [1/s] may leave out a T that is no
+  /// unknown.
   template <class Number, std::size_t capacity>
   void replace(std::size_t place, const StrainComponents<Number, capacity>& S, double gamma, Number& S_S) {
     if (!(gamma > 0)) return;  // nothing moves and nothing floors it: the exact derivative is 0 too
@@ -78,7 +81,7 @@ class StressDirections {
     double change = 0, norm = 0;
     for (std::size_t k = 0; k < S.size && !first; ++k) change += S.weight[k] * old[k] * (S.value[k].value - old[k]);
     for (std::size_t k = 0; k < S.size; ++k) {
-      Pi[k] = first ? S.value[k].value / gamma : (S.value[k].value - Pi[k] * change / before) / before;
+      Pi[k] = first ? first_ * S.value[k].value / gamma : (S.value[k].value - Pi[k] * change / before) / before;
       norm += S.weight[k] * Pi[k] * Pi[k];
       old[k] = S.value[k].value;
     }
@@ -89,6 +92,7 @@ class StressDirections {
   }
 
   std::size_t components_ = 0;
+  double first_ = 1;
   int iterate_ = 0;
   std::vector<double> values_;  ///< Pi and the S of the iterate before, place by place
   std::vector<double> gamma_;   ///< of the iterate before [1/s]
@@ -100,20 +104,26 @@ struct NewtonTangent {
   StressDirections cells;
   std::array<StressDirections, 3> edges;  ///< by the axis along them
 
-  NewtonTangent(std::size_t places, int dim) {
+  /// `fluctuation` is c: without T/d^2 gamma has a sharp bend at S = 0, and half of the second term leads farther than
+  /// all of it at an iterate that may be far off.
+  NewtonTangent(std::size_t places, int dim, double fluctuation) : first_(0.5 * (1 + fluctuation)) {
     const auto n = static_cast<std::size_t>(dim);
     cells.resize(places, n + 1 + 2 * n * (n - 1));  // D_aa, div v and the four edges of each pair of axes
     for (int axis = 0; axis < 3; ++axis)
       if (dim > 2 || (dim == 2 && axis == 2)) edges[axis].resize(places, n + 2 + (dim > 2 ? 8 : 0));
+    restart();
   }
   void restart() {
-    cells.restart();
-    for (auto& kind : edges) kind.restart();
+    cells.restart(first_);
+    for (auto& kind : edges) kind.restart(first_);
   }
   void next() {
     cells.next();
     for (auto& kind : edges) kind.next();
   }
+
+ private:
+  double first_;
 };
 
 }  // namespace scree

@@ -100,6 +100,12 @@ struct CellStrain {
   Number div_v;               ///< [1/s]
   Number S_S;                 ///< S:S [1/s2]
 
+  /// S:S of the normal components alone [1/s2].
+  Number normal_square() const {
+    Number sum = -(div_v * div_v) / 3.0;
+    for (const Number& component : D) sum += component * component;
+    return sum;
+  }
   /// S_aa [1/s].
   Number S(int a) const { return D[a] - div_v / 3.0; }
 };

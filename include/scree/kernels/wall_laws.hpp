@@ -47,7 +47,7 @@ struct WallLaws {
         if (!acts(scene, axis, face)) continue;
         const Condition& wall = scene.condition(axis, face);
         if (wall.kind.solids_tangential == SolidsTangential::no_slip)
-          no_slip(scene, I, q, axis, end_of(side), closures[0], wall, r);
+          no_slip(scene, I, q, axis, end_of(side), strain, wall, r);
         else
           johnson_jackson(scene, I, q, axis, end_of(side), strain, closures, wall, r);
       }
@@ -147,14 +147,24 @@ struct WallLaws {
         q(L::nu), sqrt_T, kappa, k, N, mean_slip_squared);
   }
 
-  template <class Number, std::size_t count>
+  /// The stress of particles that stick to the wall, with the viscosity that the shear between wall and cell leaves
+  /// them: friction bounds it by p_f sin(phi), however fast they are drawn along.
+  template <class Number, class Strain, std::size_t count>
   static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
-                      const Number& mu, const Condition& wall, std::array<Number, count>& r) {
+                      const Strain& strain, const Condition& wall, std::array<Number, count>& r) {
+    const FrictionParameters& friction = scene.solids.friction;
+    const Number p_c = friction.model->has_friction ? critical_pressure(q(L::nu), friction) : Number(0.0);
+    const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
-        const Number& v = q(L::v(t), side * unit(t));
-        const Number stress = mu * difference_to_face(scene, axis, I, Number(wall.velocity[t]), v);
-        add_stress(scene, I, axis, end, t, side, stress, r);
+        const double h = scene.distance_to_face(axis, I);
+        const Number S_S = strain.normal_square() + 0.5 * slip_speed_squared<Number>(q, wall, axis, t, side) / (h * h);
+        const Number mu = through(
+            [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_,
+                const auto& S_S_,
+                const auto& slip_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
+            q(L::nu), p_c, temperature_input<L>(q), chi_input<L>(q), strain.div_v, S_S, gas_slip_squared);
+        add_stress(scene, I, axis, end, t, side, Number(mu * wall_slip(q, wall, t, side) / h), r);
       }
   }
 };

@@ -92,7 +92,8 @@ class AssembledModel final : public Model {
     } else if (tangent_) {
       tangent_->restart();
     } else {
-      tangent_ = std::make_unique<NewtonTangent>(setup_.lattice.ghosted_size(), L::dim);
+      tangent_ =
+          std::make_unique<NewtonTangent>(setup_.lattice.ghosted_size(), L::dim, setup_.solids.friction.fluctuation);
     }
   }
 
