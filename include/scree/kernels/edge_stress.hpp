@@ -108,12 +108,11 @@ struct EdgeStress {
     return beyond ? at + (from - at[normal]) * unit(normal) : at;
   }
 
-  /// Share of the stress that acts on momentum `axis`: of the face between its control volumes along `across`. On an
-  /// open side half: the mean of the stress before it and of none beyond.
+  /// Share of the stress that acts on momentum `axis`: of the face between its control volumes along `across`.
   static double share_of_stress(const Scene& scene, const Index& I, int axis, int across) {
     if (on_side_of_axis(scene, across, I)) return 0;
     if (!on_side_of_axis(scene, axis, I)) return open_share(scene, I, axis, across);
-    return scene.barrier(across, I + before_side(I, axis, Index{})) ? 0 : 0.5;
+    return scene.barrier(across, I + before_side(I, axis, Index{})) ? 0 : 1;
   }
 
   /// Open share of the face between the control volumes of momentum `axis` below and above the edge along `across`.

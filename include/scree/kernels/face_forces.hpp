@@ -1,6 +1,8 @@
 /// What acts at a velocity of the particles: inertia and weight of (3), and the regularisation of voids.
 #pragma once
 
+#include <cmath>
+
 #include "scree/assembly/kernel.hpp"
 #include "scree/assembly/scene.hpp"
 #include "scree/balances/layout.hpp"
@@ -12,6 +14,8 @@ namespace scree {
 /// void_floor is added to nu in the inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay
 /// (towards that of the gas, by the gas's own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu
 /// alone. With gas it is reduced by buoyancy, since p_g is what exceeds the pressure of still gas.
+/// On an open side the control volume is half a cell, and moves with it as much of the particles that have just left:
+/// what falls out of an orifice is not held back by the stress inside alone.
 template <class L, int axis>
 struct FaceForces {
   static constexpr Index e = unit(axis);
@@ -34,11 +38,26 @@ struct FaceForces {
   static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
-    const Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
+    Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
+    if (scene.on_side(axis, I)) {
+      const double outwards = box_above(scene, axis, I) ? -1 : 1;
+      nu = nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis)))));
+    }
     const Number floor = void_floor(nu, scene.model.solids_fraction_floor);
     r[0] += SolidsMomentum::inertia(rho_s, Number(nu + floor), q.dot(L::v(axis))) -
             SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
     if constexpr (!L::has_u) r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
+  }
+
+ private:
+  /// How far the half cell beyond an open side is filled by what leaves with the speed `outflow`: 0 at rest, where
+  /// nothing lies outside, 1 in a flow much faster than a hundredth of sqrt(g d).
+  template <class Number>
+  static Number filled_beyond(const Scene& scene, const Number& outflow) {
+    const auto& g = scene.model.gravity;
+    const double slow = 1e-2 * std::sqrt(std::hypot(g[0], g[1], g[2]) * scene.solids.kinetic.d);
+    if (!(outflow > 0.0)) return Number(0.0);
+    return outflow / (outflow + slow);
   }
 };
 
