@@ -1,5 +1,6 @@
-# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds] [PROGRAM target]): runs NAME.py of the current directory,
-# which starts the program, scree unless said otherwise, on that many ranks. One rank needs no mpirun.
+# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds] [COST number] [PROGRAM target]): runs NAME.py of the current
+# directory, which starts the program, scree unless said otherwise, on that many ranks. One rank needs no mpirun. Tests of
+# greater COST, roughly seconds, start first.
 include_guard(GLOBAL)
 
 # SCREE_LAUNCHER: mpirun and its options. Open MPI wants to be told that ranks may share cores and that root may start
@@ -26,7 +27,7 @@ if(NOT SCREE_PYTHON)
 endif()
 
 function(scree_program_test label name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;PROGRAM" "RANKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;COST;PROGRAM" "RANKS" ${ARGN})
   if(NOT ARG_PROGRAM)
     set(ARG_PROGRAM scree)
   endif()
@@ -47,5 +48,8 @@ function(scree_program_test label name)
               --work ${CMAKE_CURRENT_BINARY_DIR}/${name}_${ranks} -- ${SCREE_LAUNCHER})
     set_tests_properties(${test} PROPERTIES LABELS ${label} PROCESSORS ${ranks} TIMEOUT ${ARG_TIMEOUT}
       ENVIRONMENT "OMP_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
+    if(ARG_COST)
+      set_tests_properties(${test} PROPERTIES COST ${ARG_COST})
+    endif()
   endforeach()
 endfunction()
