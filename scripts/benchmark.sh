@@ -22,9 +22,10 @@ esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${SCREE_BUILD_DIR:-$root/build}
 out=${SCREE_BENCHMARK_DIR:-$root/out/benchmark}
+python=$("$root/scripts/python.sh")
 "$root/scripts/build.sh" kernels_benchmark
 mkdir -p "$out"
 export OMP_NUM_THREADS=1
 "$build/bin/kernels_benchmark" "$root/cases" --benchmark_out_format=json --benchmark_out="$out/kernels.json" \
   --benchmark_min_time=0.3 "$@" >"$out/kernels.log" || { tail -n 3 "$out/kernels.log" >&2; exit 1; }
-/usr/bin/python3 "$root/tests/benchmark/table.py" "$out/kernels.json" "$out/kernels.csv"
+"$python" "$root/tests/benchmark/table.py" "$out/kernels.json" "$out/kernels.csv"

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Writes the generated parts of the pages from what the program says of itself (scree -print_options, -help), and
 checks the tables of boundary kinds.
 

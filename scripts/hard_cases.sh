@@ -42,9 +42,13 @@ done
 
 scree=${SCREE_BUILD_DIR:-$root/build}/bin/scree
 [ -x "$scree" ] || { echo "hard_cases.sh: no $scree: scripts/build.sh builds it" >&2; exit 1; }
+python=$("$root/scripts/python.sh")
 ranks=${SCREE_RANKS:-2}
-launcher=(mpirun --bind-to none --oversubscribe)
-[ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
+launcher=(mpirun)
+if [[ "$(mpirun --version 2>&1)" == *"Open MPI"* ]]; then  # others neither pin nor refuse
+  launcher+=(--bind-to none --oversubscribe)
+  [ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
+fi
 export OMP_NUM_THREADS=1 OMPI_MCA_mpi_yield_when_idle=1
 export PYTHONPATH=$root/tests/support PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
 
@@ -67,7 +71,7 @@ for name in "$@"; do
   echo "$(date +%T) $name: runs on $ranks ranks, log in $out/$name.log"
   set -m
   script=$(find "$root/tests/stability" -name "$name.py")
-  /usr/bin/python3 "$script" --scree "$scree" --ranks "$ranks" --work "$out/$name" -- \
+  "$python" "$script" --scree "$scree" --ranks "$ranks" --work "$out/$name" -- \
     "${launcher[@]}" > >(tee "$out/$name.log" | sed -u "s/^/  /") 2>&1 </dev/null &
   running=$!
   set +m

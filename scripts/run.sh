@@ -74,10 +74,14 @@ fi
 
 "$root/scripts/install_dependencies.sh"
 "$root/scripts/build.sh" scree
+python=$("$root/scripts/python.sh")
 
-launcher=(mpirun -n "$ranks" --bind-to none)
-[ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
-[ "$ranks" -le "$(env -u OMP_NUM_THREADS nproc)" ] || launcher+=(--oversubscribe)
+launcher=(mpirun -n "$ranks")
+if [[ "$(mpirun --version 2>&1)" == *"Open MPI"* ]]; then  # others neither pin nor refuse
+  launcher+=(--bind-to none)
+  [ "$(id -u)" -ne 0 ] || launcher+=(--allow-run-as-root)
+  [ "$ranks" -le "$(env -u OMP_NUM_THREADS nproc)" ] || launcher+=(--oversubscribe)
+fi
 export OMP_NUM_THREADS=1
 export PYTHONPATH=$root/scripts${PYTHONPATH:+:$PYTHONPATH}
 command=("${launcher[@]}" "${SCREE_BUILD_DIR:-$root/build}/bin/scree" "$case_file" "${overrides[@]}" "${arguments[@]}")
@@ -94,7 +98,7 @@ stop_solver() {
   signal=TERM
 }
 set -m
-/usr/bin/python3 -m scree.logged "$output" "${command[@]}" </dev/null &
+"$python" -m scree.logged "$output" "${command[@]}" </dev/null &
 solver=$!
 trap stop_solver TERM INT
 while :; do
@@ -106,10 +110,10 @@ trap - TERM INT
 
 plot=$root/scripts/plot_$case_name.py
 if [ -f "$plot" ] && [ -f "$output/monitor.csv" ]; then
-  if /usr/bin/python3 "$plot" "$output"; then
+  if "$python" "$plot" "$output"; then
     echo "Plots: $output/plots"
   else
     echo "run.sh: the plots failed; the run is whole" >&2
   fi
 fi
-/usr/bin/python3 "$root/scripts/scree-report" "$output" || echo "run.sh: the report failed; the run is whole" >&2
+"$python" "$root/scripts/scree-report" "$output" || echo "run.sh: the report failed; the run is whole" >&2

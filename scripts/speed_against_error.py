@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Runs a case in many settings and says what each costs and how far it is off.
 
     scripts/speed_against_error.py cases/bin_discharge --dry-run

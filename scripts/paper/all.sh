@@ -29,6 +29,7 @@ if [ ! -x "$program" ]; then
   exit 1
 fi
 
+python=$("$here/../python.sh")
 names=(figure_{01..13} flutter starts parameters convergence page_numbers)
 failed=()
 running=
@@ -40,7 +41,7 @@ stop() {
 }
 trap stop INT TERM
 
-left() { /usr/bin/python3 "$here/paper_runs.py" --left "${arguments[@]}"; }
+left() { "$python" "$here/paper_runs.py" --left "${arguments[@]}"; }
 left >/dev/null # says what is wrong with the options, once
 
 for ((i = 0; i < ${#names[@]}; ++i)); do
@@ -49,7 +50,7 @@ for ((i = 0; i < ${#names[@]}; ++i)); do
   [ "$name" != parameters ] || own+=(--grid coarse)
   echo "$(date +%T) [$((i + 1))/${#names[@]}] $name; $(left)"
   set -m # a process group of its own, so that Ctrl-C comes here alone
-  /usr/bin/python3 "$here/$name.py" "${own[@]}" </dev/null &
+  "$python" "$here/$name.py" "${own[@]}" </dev/null &
   running=$!
   set +m
   wait "$running" || failed+=("$name")

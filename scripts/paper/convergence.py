@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """What the grid does to the numbers of the paper: rates, nu and chi in the orifice plane, and the bubble on up to four
 grids, with the observed order and the value extrapolated to fine cells. --grid is the finest that is run; of what a run
 is too short for, the coarser grids are shown alone."""

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 1: yield loci in the plane of principal stresses for different solids fractions, from (14), (15), (18)."""
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 2: the yield locus scaled by p_c, onto which the loci of all solids fractions fall, from (14), (15)."""
 import matplotlib.pyplot as plt
 

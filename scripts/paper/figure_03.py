@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 3: the geometries of the bin discharge and of the rising bubble, drawn from the case files as scree reads
 them."""
 import matplotlib.pyplot as plt

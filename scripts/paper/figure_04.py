@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 4: rate of discharge of 1 mm particles against time, for three relaxation times tau; gas off."""
 import paper_figures
 from scree.bin_discharge import PAPER_RATE

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 5: velocity of the particles at an instant of the plateau over a greyscale map of nu, bottom of the bin."""
 import numpy as np
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 6: nu across the jet at three distances below the orifice, means over the plateau; 1 mm particles."""
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 7: nu along the centreline, means over the plateau; 1 mm particles, critical state and air against the full
 model."""
 import paper_figures

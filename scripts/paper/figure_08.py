@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 8: chi = p_f/p_c along the centreline near the orifice, means over the plateau; 1 mm particles, gas off."""
 import paper_figures
 

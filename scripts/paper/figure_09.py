@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 9: plateau rate against the width of the orifice, its exponent, and C of W = C rho_i sqrt(g) D_o^1.5 H,
 (28)."""
 import matplotlib.pyplot as plt

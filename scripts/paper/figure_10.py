@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 10: rate of discharge of 100 um particles against time, with and without air."""
 import paper_figures
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 11: nu along the centreline, means over the plateau; 100 um particles with and without air."""
 import figure_10
 import paper_figures

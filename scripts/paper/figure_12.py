@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 12: gas pressure over that of the atmosphere along the centreline, mean over the plateau; 100 um particles in
 air."""
 import numpy as np

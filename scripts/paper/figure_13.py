@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Figure 13: greyscale maps of nu of a rising bubble at the end (0.5 s): full model, critical state, no friction."""
 import numpy as np
 

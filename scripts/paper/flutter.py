@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Section 2.3: grid-scale flutter of the instantaneous model. The part of v_y that alternates from cell to cell along
 the height, over the mean of v_y, against that of the relaxed model; the greatest of the fields from 0.2 to 1 s."""
 import matplotlib.pyplot as plt

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """The table of all numbers: the paper's, ours on its grid, extrapolated to fine cells, and what they cost. Runs
 nothing: what is not there says so.
 

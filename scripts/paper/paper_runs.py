@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """The runs behind the paper's figures: what they are, whether they are there, and running what is missing.
 
     scripts/paper/paper_runs.py            # lists the runs of the page, what they are thought to take, what is left

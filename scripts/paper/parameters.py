@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Finding (b): which parameters move the plateau rate. d ln W/d ln p by central differences about Table 2, one
 parameter at a time, on the coarse grid, as a bar chart. The mark on a bar is its uncertainty: how far the differences
 of one and of two steps are apart, and what steps in time with a third of the local error change, over the step."""

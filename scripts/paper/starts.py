@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Finding (a): the bin from the paper's uniform start at nu = .60 against one in equilibrium with gravity and wall
 friction (Janssen). Rate and depth against time; the uniform fill is a compressed spring and bounces before
 the plateau."""

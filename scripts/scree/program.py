@@ -1,5 +1,6 @@
 """Starts the program: where it is, on how many ranks, with which options, and what it says when it fails."""
 import contextlib
+import functools
 import os
 import shutil
 import signal
@@ -59,8 +60,16 @@ def launcher(ranks):
     """The words before the program on more than one rank."""
     if ranks == 1:
         return []
-    return ["mpirun", "-n", str(ranks), "--bind-to", "none", "--oversubscribe",
-            *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
+    return ["mpirun", "-n", str(ranks), *open_mpi_options()]
+
+
+@functools.lru_cache(maxsize=None)
+def open_mpi_options():
+    """What Open MPI's mpirun wants told: ranks may share cores, and root may start them. Others have no such options."""
+    said = subprocess.run(["mpirun", "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if "Open MPI" not in said.stdout + said.stderr:
+        return []
+    return ["--bind-to", "none", "--oversubscribe", *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
 
 
 def environment():

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "scree/app/derived_cells.hpp"
 #include "scree/app/initial_state.hpp"

@@ -31,7 +31,7 @@ class Expression {
   }
 
   Value whole() {
-    const Value value = sum();
+    Value value = sum();
     if (peek() != '\0') throw QuantityError("cannot read '" + text_.substr(at_) + "'");
     return value;
   }
@@ -80,7 +80,7 @@ class Expression {
   Value parenthesis() {
     if (++nesting_ > max_nesting) throw QuantityError("parentheses are too deep");
     next();
-    const Value value = sum();
+    Value value = sum();
     if (next() != ')') throw QuantityError("')' is missing");
     --nesting_;
     return value;

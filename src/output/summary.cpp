@@ -1,5 +1,7 @@
 #include "scree/output/summary.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "scree/output/atomic_file.hpp"
 #include "scree/output/errors.hpp"
 

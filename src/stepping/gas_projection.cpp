@@ -5,6 +5,7 @@
 
 #include "scree/balances/layout.hpp"
 #include "scree/grid/ghosted.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 
 namespace scree {
 
@@ -50,7 +51,7 @@ PetscErrorCode GasProjection::create(DM dm) {
   PetscCall(KSPSetOperators(ksp_, matrix, matrix));
   PetscCall(KSPSetType(ksp_, KSPCG));
   PetscCall(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
-  PetscCall(KSPSetTolerances(ksp_, 1e-8, PETSC_DEFAULT, PETSC_DEFAULT, 50));
+  PetscCall(KSPSetTolerances(ksp_, 1e-8, petsc_unchanged, petsc_unchanged, 50));
   PetscCall(set_preconditioner());
   PetscCall(KSPSetFromOptions(ksp_));
   PetscCall(MatDestroy(&matrix));

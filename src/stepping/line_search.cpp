@@ -1,5 +1,7 @@
 #include "scree/stepping/line_search.hpp"
 
+#include "scree/stepping/petsc_versions.hpp"
+
 namespace scree {
 
 namespace {
@@ -47,7 +49,7 @@ PetscErrorCode use_guarded_full_steps(SNES snes) {
   SNESLineSearch search;
   PetscCall(SNESGetLineSearch(snes, &search));
   PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
-  PetscCall(SNESLineSearchShellSetUserFunc(search, guarded_full_step, nullptr));
+  PetscCall(set_line_search(search, guarded_full_step, nullptr));
   PetscFunctionReturn(0);
 }
 

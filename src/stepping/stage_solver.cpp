@@ -4,6 +4,7 @@
 
 #include "scree/stepping/line_search.hpp"
 #include "scree/stepping/orderings.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 #include "scree/stepping/remainder.hpp"
 
 namespace scree {
@@ -43,7 +44,7 @@ PetscErrorCode StageSolver::create_newton() {
   PetscCall(SNESSetDM(newton_, problem_.dm()));
   PetscCall(SNESSetJacobian(newton_, problem_.matrix(), problem_.matrix(), nullptr, nullptr));
   // The absolute tolerance is set_tolerance's. stol 0: a failed line search ends with tiny steps.
-  PetscCall(SNESSetTolerances(newton_, PETSC_DEFAULT, 1e-8, 0, 15, 10000));
+  PetscCall(SNESSetTolerances(newton_, petsc_unchanged, 1e-8, 0, 15, 10000));
   PetscCall(SNESSetForceIteration(newton_, PETSC_TRUE));
   PetscCall(SNESSetConvergenceHistory(newton_, nullptr, nullptr, PETSC_DECIDE, PETSC_TRUE));
   PetscCall(SNESSetFromOptions(newton_));
@@ -292,7 +293,7 @@ PetscErrorCode StageSolver::set_tolerance() {
   if (given) PetscFunctionReturn(0);
   PetscCall(VecGetSize(line_, &size));
   const double tolerance = tolerated_residual() * std::sqrt(static_cast<double>(size));
-  PetscCall(SNESSetTolerances(newton_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(SNESSetTolerances(newton_, tolerance, petsc_unchanged, petsc_unchanged, petsc_unchanged, petsc_unchanged));
   PetscFunctionReturn(0);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scree/stepping/local_error.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 
 namespace scree {
 
@@ -44,7 +45,7 @@ PetscErrorCode TimeStepper::make_ts() {
   PetscCall(TSAdaptSetType(adapt, TSADAPTNONE));
   PetscCall(TSAdaptSetScaleSolveFailed(adapt, StepController::reduction));
   PetscCall(TSAdaptSetStepLimits(adapt, control_.step.least, PETSC_MAX_REAL));
-  PetscCall(TSSetMaxSNESFailures(ts_, -1));
+  PetscCall(TSSetMaxSNESFailures(ts_, petsc_unlimited));
   PetscCall(TSSetMaxStepRejections(ts_, 100));
   PetscCall(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   PetscCall(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));

@@ -26,6 +26,7 @@
 #include "scree/output/checkpoint.hpp"
 #include "scree/stepping/corrections.hpp"
 #include "scree/stepping/orderings.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 #include "scree/stepping/presets.hpp"
 
 namespace scree::test {
@@ -240,7 +241,7 @@ class Solver {
   Solver(System& system, DM dm) : system_(system) {
     check(KSPCreate(PETSC_COMM_WORLD, &ksp_));
     check(KSPSetDM(ksp_, dm));  // as SNES does it
-    check(KSPSetDMActive(ksp_, PETSC_FALSE));
+    check(take_no_operators_from_dm(ksp_));
     check(KSPSetFromOptions(ksp_));
     check(KSPSetOperators(ksp_, system.matrix(), system.matrix()));
   }
@@ -264,8 +265,8 @@ class Solver {
   }
   /// To `tolerance`; 0: that of the preset.
   Solution solve(double tolerance, int repeat) {
-    const double other = PETSC_DEFAULT;
-    if (tolerance > 0) check(KSPSetTolerances(ksp_, tolerance, other, other, PETSC_DEFAULT));
+    const double other = petsc_unchanged;
+    if (tolerance > 0) check(KSPSetTolerances(ksp_, tolerance, other, other, petsc_unchanged));
     Solution result;
     for (int k = 0; k < repeat; ++k) {
       check(VecZeroEntries(system_.solution));

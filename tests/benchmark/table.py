@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Makes the table of kernels_benchmark: table.py KERNELS.json [KERNELS.csv]; prints it too.
 
 A row is a kernel: CPU time [ns] of an evaluation (closures) or of a cell (the others), with

@@ -7,6 +7,7 @@
 
 #include "../support/sample_problem.hpp"
 #include "scree/stepping/orderings.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 #include "sources.hpp"
 
 namespace scree::test {
@@ -193,7 +194,7 @@ class ManufacturedProblem {
         check(PetscOptionsSetValue(nullptr, "-sub_pc_factor_mat_ordering_type", "last_node_first"));
         check(KSPSetType(ksp_, KSPGMRES));
         check(KSPGMRESSetRestart(ksp_, 200));
-        check(KSPSetTolerances(ksp_, 1e-7, 1e-14, PETSC_DEFAULT, 2000));
+        check(KSPSetTolerances(ksp_, 1e-7, 1e-14, petsc_unchanged, 2000));
         check(PCSetType(pc, PCBJACOBI));
       }
       check(KSPSetErrorIfNotConverged(ksp_, PETSC_TRUE));

@@ -1,6 +1,7 @@
 """The guide: its blocks of YAML are the files of cases/guide, all of them run, and its tables name what runs leave."""
 import re
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -60,7 +61,7 @@ checks.true("step6: the bed rises", column("step6", "bed_height")[-1] > column("
 
 PLOT = ROOT / "scripts" / "plot_guide.py"
 for name, more in (("step1", []), ("step5", ["--field", "gas_pressure"])):
-    drawn = subprocess.run(["/usr/bin/python3", PLOT, runs[name].directory, *more], capture_output=True, text=True)
+    drawn = subprocess.run([sys.executable, PLOT, runs[name].directory, *more], capture_output=True, text=True)
     checks.equal(f"{name}: exit code of plot_guide.py", drawn.returncode, 0)
     picture = runs[name].directory / "plots" / "fields.png"
     checks.true(f"{name}: its picture", picture.exists() and picture.stat().st_size > 10000, drawn.stderr)

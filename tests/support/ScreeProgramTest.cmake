@@ -1,13 +1,33 @@
-# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds] [PROGRAM target]): runs NAME.py of the current directory,
-# which starts the program, scree unless said otherwise, on that many ranks. One rank needs no mpirun.
-set(SCREE_LAUNCHER ${MPIEXEC_EXECUTABLE} --bind-to none --oversubscribe)
-execute_process(COMMAND id -u OUTPUT_VARIABLE user_id OUTPUT_STRIP_TRAILING_WHITESPACE)
-if(user_id EQUAL 0)
-  list(APPEND SCREE_LAUNCHER --allow-run-as-root)
+# scree_program_test(LABEL NAME [RANKS 1 2] [TIMEOUT seconds] [COST number] [PROGRAM target]): runs NAME.py of the current
+# directory, which starts the program, scree unless said otherwise, on that many ranks. One rank needs no mpirun. Tests of
+# greater COST, roughly seconds, start first.
+include_guard(GLOBAL)
+
+# SCREE_LAUNCHER: mpirun and its options. Open MPI wants to be told that ranks may share cores and that root may start
+# them; others have no such options.
+set(launcher ${MPIEXEC_EXECUTABLE})
+execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(said MATCHES "Open MPI|OpenRTE")
+  list(APPEND launcher --bind-to none --oversubscribe)
+  execute_process(COMMAND id -u OUTPUT_VARIABLE user_id OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(user_id EQUAL 0)
+    list(APPEND launcher --allow-run-as-root)
+  endif()
+endif()
+set(SCREE_LAUNCHER ${launcher} CACHE INTERNAL "mpirun and its options, without -n")
+
+# SCREE_PYTHON: the python3 of the tests' scripts.
+if(NOT SCREE_PYTHON)
+  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/python.sh OUTPUT_VARIABLE python RESULT_VARIABLE failed
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(failed)
+    message(FATAL_ERROR "The tests need a python3 with the modules named above; -DSCREE_TESTS=OFF builds without them.")
+  endif()
+  set(SCREE_PYTHON ${python} CACHE FILEPATH "python3 of the tests' scripts")
 endif()
 
 function(scree_program_test label name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;PROGRAM" "RANKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;COST;PROGRAM" "RANKS" ${ARGN})
   if(NOT ARG_PROGRAM)
     set(ARG_PROGRAM scree)
   endif()
@@ -24,9 +44,12 @@ function(scree_program_test label name)
     endif()
     set(test ${label}.${name}.${ranks}_rank${suffix})
     add_test(NAME ${test}
-      COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:${ARG_PROGRAM}> --ranks ${ranks}
+      COMMAND ${SCREE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py --scree $<TARGET_FILE:${ARG_PROGRAM}> --ranks ${ranks}
               --work ${CMAKE_CURRENT_BINARY_DIR}/${name}_${ranks} -- ${SCREE_LAUNCHER})
     set_tests_properties(${test} PROPERTIES LABELS ${label} PROCESSORS ${ranks} TIMEOUT ${ARG_TIMEOUT}
       ENVIRONMENT "OMP_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1;PYTHONDONTWRITEBYTECODE=1;PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
+    if(ARG_COST)
+      set_tests_properties(${test} PROPERTIES COST ${ARG_COST})
+    endif()
   endforeach()
 endfunction()

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Checks the layout: #include lines respect the arrows between the rooms, and the top level holds what was agreed.
 
 Usage: check_includes.py [SOURCE_DIRECTORY]     (default: the checkout that this file is in)

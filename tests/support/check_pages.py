@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Checks the pages: sentences of at most 25 words, a zero before the decimal point, links to files and headings that
 exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences. Pages that sources
 name, in comments or elsewhere, exist too, and so do the files `scripts/...` that pages or sources name.

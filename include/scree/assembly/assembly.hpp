@@ -156,7 +156,7 @@ struct Assembly {
     PatternVisitor(const Assembly& a, EntrySink& sink_) : Visitor{a, a.scene}, sink(sink_) {}
 
     template <class Kernel>
-    [[gnu::noinline]] void visit(const Index& I) {
+    [[gnu::noinline, gnu::cold]] void visit(const Index& I) {
       const unsigned rows = assembly.rows_at<Kernel>(here, I);
       if (rows == 0) return;
       static constexpr Dependences<Kernel> on;

@@ -12,6 +12,7 @@
 ///   static void evaluate(const Scene&, const Index& I, const Local<Kernel, Number>& q, std::array<Number, rows>& r)
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "scree/grid/index.hpp"
@@ -60,17 +61,33 @@ struct StencilBuilder {
   }
 };
 
-/// Position of each (component, offset) in a stencil, as a table.
+/// Position of each (component, offset) in a stencil, as a table no larger than the stencil: compilers fill it for
+/// every kernel.
 template <class Kernel>
 struct StencilTable {
-  static constexpr int reach = 3;
-  static constexpr int width = 2 * reach + 1;
-  static constexpr int components = most_unknowns;
-  std::array<std::int8_t, static_cast<std::size_t>(components* width* width* width)> position{};
+  /// The least (sign -1) or greatest (sign 1) offset of an input along each axis.
+  static constexpr Index bound(int sign) {
+    Index result;
+    for (int k = 0; k < Kernel::stencil.size; ++k)
+      for (int axis = 0; axis < max_dim; ++axis) {
+        const int at = Kernel::stencil.inputs[static_cast<std::size_t>(k)].offset[axis];
+        if (sign * at > sign * result[axis]) result[axis] = at;
+      }
+    return result;
+  }
+  static constexpr int count_components() {
+    int count = 0;
+    for (int k = 0; k < Kernel::stencil.size; ++k)
+      count = std::max(count, Kernel::stencil.inputs[static_cast<std::size_t>(k)].component + 1);
+    return count;
+  }
+  static constexpr Index low = bound(-1), high = bound(1);
+  static constexpr int width_0 = high[0] - low[0] + 1, width_1 = high[1] - low[1] + 1, width_2 = high[2] - low[2] + 1;
+  std::array<std::int8_t, static_cast<std::size_t>(count_components() * width_2 * width_1 * width_0)> position{};
 
   static constexpr std::size_t code(int component, const Index& offset) {
-    return static_cast<std::size_t>(((component * width + offset[2] + reach) * width + offset[1] + reach) * width +
-                                    offset[0] + reach);
+    return static_cast<std::size_t>(
+        ((component * width_2 + offset[2] - low[2]) * width_1 + offset[1] - low[1]) * width_0 + offset[0] - low[0]);
   }
   constexpr StencilTable() {
     for (auto& entry : position) entry = -1;
@@ -80,6 +97,8 @@ struct StencilTable {
     }
   }
 };
+template <class Kernel>
+inline constexpr StencilTable<Kernel> stencil_table{};
 
 /// Whether a kernel asks for time derivatives: others need not be given any.
 template <class Kernel, class = void>
@@ -91,14 +110,13 @@ struct HasRates<Kernel, std::enable_if_t<Kernel::has_rates>> : std::true_type {}
 template <class Kernel, class Number>
 struct Local {
   static constexpr std::size_t size = Kernel::stencil.size, rates = HasRates<Kernel>::value ? size : 0;
-  static constexpr StencilTable<Kernel> table{};
 
   std::array<Number, size> value;
   std::array<double, rates> rate;        ///< time derivatives
   std::array<double, rates> rate_slope;  ///< d rate/d stored unknown, shift times scale
 
   [[gnu::always_inline]] static int position(int component, const Index& offset) {
-    return table.position[StencilTable<Kernel>::code(component, offset)];
+    return stencil_table<Kernel>.position[StencilTable<Kernel>::code(component, offset)];
   }
   [[gnu::always_inline]] const Number& operator()(int component, const Index& offset = {}) const {
     return value[static_cast<std::size_t>(position(component, offset))];

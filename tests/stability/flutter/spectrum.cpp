@@ -85,7 +85,7 @@ class Spectrum {
     check(EPSSetOperators(eps_, matrices_.minus_state, matrices_.rate));
     check(EPSSetProblemType(eps_, EPS_GNHEP));
     check(EPSSetWhichEigenpairs(eps_, EPS_TARGET_MAGNITUDE));
-    check(EPSSetDimensions(eps_, wanted, PETSC_DEFAULT, PETSC_DEFAULT));
+    check(EPSSetDimensions(eps_, wanted, PETSC_DETERMINE, PETSC_DETERMINE));
     ST st;
     KSP ksp;
     PC pc;

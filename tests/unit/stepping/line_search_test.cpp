@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../../support/sample_problem.hpp"
+#include "scree/stepping/petsc_versions.hpp"
 
 namespace scree::test {
 namespace {
@@ -51,7 +52,7 @@ std::pair<double, SNESConvergedReason> iterate(Equation equation, double start) 
   check(MatCreateSeqAIJ(PETSC_COMM_SELF, 1, 1, 1, nullptr, &jacobian));
   check(SNESSetFunction(snes, f, evaluate, &equation));
   check(SNESSetJacobian(snes, jacobian, jacobian, differentiate, &equation));
-  check(SNESSetTolerances(snes, 1e-14, 1e-14, 0, 1, PETSC_DEFAULT));
+  check(SNESSetTolerances(snes, 1e-14, 1e-14, 0, 1, petsc_unchanged));
   check(SNESSetType(snes, SNESNEWTONLS));
   check(use_guarded_full_steps(snes));
   check(VecSet(x, start));
