@@ -119,6 +119,28 @@ void check_region(const Case& the_case, const InitialRegion& region) {
                      "a friction_model other than none, for p_c (18) carries the column");
 }
 
+/// The fits of effective restitution end where it does.
+void check_restitution(const EffectiveRestitution& form, const std::string& key, double mu, const std::string& key_e,
+                       double e) {
+  if (mu == 0 || form.e_eff(e, mu) >= 0) return;
+  throw InputError(key, number_text(mu),
+                   std::string("a friction that leaves an effective_restitution (") + form.name +
+                       ") of at least 0; with " + key_e + " = " + number_text(e) + " it is " +
+                       number_text(form.e_eff(e, mu), 3));
+}
+
+void check_restitutions(const Case& the_case) {
+  const EffectiveRestitution& form = *the_case.kinetic.e_eff;
+  check_restitution(form, "particle_friction", the_case.kinetic.mu_p, "particle_restitution", the_case.kinetic.e_p);
+  check_restitution(form, "wall_particle_friction", the_case.wall.mu_w, "wall_restitution", the_case.wall.e_w);
+  const auto check_condition = [&](const std::string& key, const Condition& condition) {
+    check_restitution(form, key + "particle_friction", condition.wall.mu_w, key + "restitution", condition.wall.e_w);
+  };
+  for (const Segment& segment : the_case.segments)
+    check_condition("boundary_" + segment.condition.name + "_", segment.condition);
+  for (const Plate& plate : the_case.plates) check_condition("plate_" + plate.condition.name + "_", plate.condition);
+}
+
 void check_friction(const FrictionParameters& friction) {
   if (friction.model->uses_flow_rule && !(friction.n_dilation > 1))
     throw InputError("friction_exponent_dilation", number_text(friction.n_dilation),
@@ -165,6 +187,7 @@ void check_output(const Case& the_case) {
 }  // namespace
 
 void check_case(Case& the_case) {
+  check_restitutions(the_case);
   check_friction(the_case.friction);
   check_cells(the_case);
   check_lagging(the_case.friction, the_case.time);

@@ -6,6 +6,7 @@
 
 #include "scree/closures/friction_pressure.hpp"
 #include "scree/math/dual.hpp"
+#include "scree/math/rounded.hpp"
 
 namespace scree {
 
@@ -62,15 +63,6 @@ Number clipped_power(const Number& base, double exponent, double width) {
   if (base >= width) return exponent == 1 ? base : pow(base, exponent);
   const Number t = base / width;
   return std::pow(width, exponent) * (t * t * ((3 - exponent) + (exponent - 2) * t));
-}
-
-/// min(x, limit), rounded by a parabola over limit +- width.
-template <class Number>
-Number rounded_minimum(const Number& x, double limit, double width) {
-  if (x <= limit - width) return x;
-  if (x >= limit + width) return Number(limit);
-  const Number t = x - (limit - width);
-  return x - t * t / (4 * width);
 }
 
 /// x^exponent for x > 0, by multiplications where the exponent is a small integer.
