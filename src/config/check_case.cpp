@@ -119,6 +119,18 @@ void check_region(const Case& the_case, const InitialRegion& region) {
                      "a friction_model other than none, for p_c (18) carries the column");
 }
 
+/// M(I): known to the models that take it, and growing with I.
+void check_friction_coefficient(const FrictionParameters& friction) {
+  if (!friction.model->has_friction || friction.coefficient == FrictionCoefficient::constant) return;
+  if (friction.model != FrictionModel::critical_state && friction.model != FrictionModel::relaxed)
+    throw InputError("friction_coefficient", friction.coefficient == FrictionCoefficient::cidr ? "cidr" : "mu_i",
+                     std::string("constant for friction_model ") + friction.model->name +
+                         "; critical_state and relaxed take another one");
+  if (!(friction.mu_2 >= std::sin(friction.phi)))
+    throw InputError("friction_coefficient_limit", number_text(friction.mu_2),
+                     "at least sin(friction_angle) = " + number_text(std::sin(friction.phi), 6));
+}
+
 /// The fits of effective restitution end where it does.
 void check_restitution(const EffectiveRestitution& form, const std::string& key, double mu, const std::string& key_e,
                        double e) {
@@ -142,6 +154,7 @@ void check_restitutions(const Case& the_case) {
 }
 
 void check_friction(const FrictionParameters& friction) {
+  check_friction_coefficient(friction);
   if (friction.model->uses_flow_rule && !(friction.n_dilation > 1))
     throw InputError("friction_exponent_dilation", number_text(friction.n_dilation),
                      "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");

@@ -41,6 +41,7 @@ void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParamet
   o.real("correlation_length_constant", kinetic.length_constant, "-", positive(), "c of correlation_length jenkins")
       .symbol("c")
       .used_if(kinetic.length == &correlation_length_entry<JenkinsLength>, "correlation_length is not jenkins");
+  friction.rho_s = kinetic.rho_s;
   friction.d = kinetic.d;
   friction.nu_max = kinetic.nu_max;
   wall.nu_max = kinetic.nu_max;

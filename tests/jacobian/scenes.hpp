@@ -238,7 +238,15 @@ inline std::vector<NamedScene> scenes_of_gas(const ProblemSetup& base) {
   return scenes;
 }
 
-/// Each closure that can be chosen: drag laws, g0, p_c, the dissipation with friction and with L.
+/// M(I) and its flow rules.
+inline std::vector<NamedScene> scenes_of_inertial_friction(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes{{"mu(I)", base}, {"mu(I), consistent flow rule", base}};
+  scenes[0].setup.solids.friction.coefficient = FrictionCoefficient::mu_i;
+  scenes[1].setup.solids.friction.coefficient = FrictionCoefficient::cidr;
+  return scenes;
+}
+
+/// Each closure that can be chosen: drag laws, g0, p_c, the dissipation with friction and with L, M(I).
 inline std::vector<NamedScene> scenes_of_closures(const ProblemSetup& base) {
   std::vector<NamedScene> scenes;
   const auto add = [&](const std::string& what, const char* name) -> SolidsParameters& {
@@ -265,6 +273,7 @@ inline std::vector<NamedScene> scenes_of_closures(const ProblemSetup& base) {
     kinetic.length = length;
     kinetic.length_constant = 1;
   }
+  for (NamedScene& scene : scenes_of_inertial_friction(base)) scenes.push_back(std::move(scene));
   return scenes;
 }
 

@@ -23,6 +23,7 @@ TEST_F(ClosureOptions, DefaultsAreThoseOfThePaper) {
   EXPECT_EQ(scene.kinetic.mu_p, 0);
   EXPECT_EQ(scene.wall.mu_w, 0);
   EXPECT_EQ(scene.kinetic.length, nullptr);
+  EXPECT_EQ(scene.friction.coefficient, FrictionCoefficient::constant);
   EXPECT_TRUE(scene.remarks.empty());
 }
 
@@ -48,6 +49,8 @@ TEST_F(ClosureOptions, EveryVariantCanBeChosen) {
   for (const CorrelationLength* length : correlation_lengths())
     EXPECT_EQ(choose("correlation_length", length->name).kinetic.length, length);
   EXPECT_EQ(choose("correlation_length", "none").kinetic.length, nullptr);
+  EXPECT_EQ(choose("friction_coefficient", "mu_i").friction.coefficient, FrictionCoefficient::mu_i);
+  EXPECT_EQ(choose("friction_coefficient", "cidr").friction.coefficient, FrictionCoefficient::cidr);
   for (const FrictionModel model : friction_models())
     EXPECT_TRUE(choose("friction_model", model->name).friction.model == model);
 }
@@ -59,6 +62,7 @@ TEST_F(ClosureOptions, WrongNamesListTheRightOnes) {
       {"friction_pressure", "power, schaeffer"},
       {"effective_restitution", "chialvo_sundaresan, jenkins_zhang"},
       {"correlation_length", "none, jenkins, berzi_vescovi"},
+      {"friction_coefficient", "constant, mu_i, cidr"},
       {"friction_model", "none, critical_state, instantaneous, relaxed"}};
   for (const auto& [key, names] : rows) {
     clear();
@@ -82,6 +86,9 @@ TEST_F(ClosureOptions, RemarksOnWhatTheSceneDoesNotUse) {
       {"friction_model: none", "friction_pressure", "power", "friction_model is none"},
       {"friction_pressure: schaeffer", "friction_pressure_constant", "0.05", "friction_pressure is not power"},
       {"friction_model: none", "friction_pressure_exponent_r", "2", "friction_model is none"},
+      {"friction_model: none", "friction_coefficient", "cidr", "friction_model is none"},
+      {"friction_tau: 1e-3", "friction_coefficient_limit", "0.6", "friction_coefficient is constant"},
+      {"friction_tau: 1e-3", "friction_inertial_number", "0.2", "friction_coefficient is constant"},
       {"correlation_length: berzi_vescovi", "correlation_length_constant", "1", "correlation_length is not jenkins"}};
   for (const auto& [scene_text, key, value, why] : rows) {
     clear();
@@ -99,8 +106,10 @@ TEST_F(ClosureOptions, WallsHaveTheFrictionOfTheCaseUnlessTheySayOtherwise) {
   set("wall_particle_friction", "0.1");
   set("boundary_wall_particle_friction", "0.4");
   set("particle_friction", "0.3");
+  set("particle_density", "2450");
   const Case scene = read_case();
   EXPECT_EQ(scene.kinetic.mu_p, .3);
+  EXPECT_EQ(scene.friction.rho_s, 2450) << "in the inertial number";
   for (const Segment& segment : scene.segments)
     EXPECT_EQ(segment.condition.wall.mu_w, segment.condition.name == "wall" ? .4 : .1) << segment.condition.name;
 }
