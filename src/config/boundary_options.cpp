@@ -52,6 +52,10 @@ void declare_wall_values(OptionSet& o, const std::string& key, bool used, WallPa
       .symbol("e_w")
       .default_from("wall_restitution")
       .used_if(used, other_kind);
+  o.real(key + "particle_friction", wall.mu_w, "-", non_negative(), "friction in collisions with the wall, in (26)")
+      .symbol("mu_w")
+      .default_from("wall_particle_friction")
+      .used_if(used, other_kind);
 }
 
 void declare_inlet_values(OptionSet& o, const std::string& key, const Case& the_case, Condition& condition) {

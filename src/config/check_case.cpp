@@ -119,7 +119,42 @@ void check_region(const Case& the_case, const InitialRegion& region) {
                      "a friction_model other than none, for p_c (18) carries the column");
 }
 
+/// M(I): known to the models that take it, and growing with I.
+void check_friction_coefficient(const FrictionParameters& friction) {
+  if (!friction.model->has_friction || friction.coefficient == FrictionCoefficient::constant) return;
+  if (friction.model != FrictionModel::critical_state && friction.model != FrictionModel::relaxed)
+    throw InputError("friction_coefficient", friction.coefficient == FrictionCoefficient::cidr ? "cidr" : "mu_i",
+                     std::string("constant for friction_model ") + friction.model->name +
+                         "; critical_state and relaxed take another one");
+  if (!(friction.mu_2 >= std::sin(friction.phi)))
+    throw InputError("friction_coefficient_limit", number_text(friction.mu_2),
+                     "at least sin(friction_angle) = " + number_text(std::sin(friction.phi), 6));
+}
+
+/// The fits of effective restitution end where it does.
+void check_restitution(const EffectiveRestitution& form, const std::string& key, double mu, const std::string& key_e,
+                       double e) {
+  if (mu == 0 || form.e_eff(e, mu) >= 0) return;
+  throw InputError(key, number_text(mu),
+                   std::string("a friction that leaves an effective_restitution (") + form.name +
+                       ") of at least 0; with " + key_e + " = " + number_text(e) + " it is " +
+                       number_text(form.e_eff(e, mu), 3));
+}
+
+void check_restitutions(const Case& the_case) {
+  const EffectiveRestitution& form = *the_case.kinetic.e_eff;
+  check_restitution(form, "particle_friction", the_case.kinetic.mu_p, "particle_restitution", the_case.kinetic.e_p);
+  check_restitution(form, "wall_particle_friction", the_case.wall.mu_w, "wall_restitution", the_case.wall.e_w);
+  const auto check_condition = [&](const std::string& key, const Condition& condition) {
+    check_restitution(form, key + "particle_friction", condition.wall.mu_w, key + "restitution", condition.wall.e_w);
+  };
+  for (const Segment& segment : the_case.segments)
+    check_condition("boundary_" + segment.condition.name + "_", segment.condition);
+  for (const Plate& plate : the_case.plates) check_condition("plate_" + plate.condition.name + "_", plate.condition);
+}
+
 void check_friction(const FrictionParameters& friction) {
+  check_friction_coefficient(friction);
   if (friction.model->uses_flow_rule && !(friction.n_dilation > 1))
     throw InputError("friction_exponent_dilation", number_text(friction.n_dilation),
                      "a number, > 1; give it for a friction_angle of 60 deg or more, where its default is not");
@@ -165,6 +200,7 @@ void check_output(const Case& the_case) {
 }  // namespace
 
 void check_case(Case& the_case) {
+  check_restitutions(the_case);
   check_friction(the_case.friction);
   check_cells(the_case);
   check_lagging(the_case.friction, the_case.time);

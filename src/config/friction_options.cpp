@@ -29,6 +29,24 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
   o.real("friction_angle", friction.phi, "rad", positive_angle(), "angle of internal friction, eq. (14)")
       .symbol("phi")
       .used_if(some, absent);
+  o.choice("friction_coefficient", friction.coefficient,
+           {{"constant", FrictionCoefficient::constant},
+            {"mu_i", FrictionCoefficient::mu_i},
+            {"cidr", FrictionCoefficient::cidr}},
+           "M of (14) and (20). constant: sin(friction_angle); mu_i: M(I) of Jop, Forterre & Pouliquen (2006) from "
+           "sin(friction_angle) to friction_coefficient_limit, with the flow rule (13); cidr: with the flow rule that "
+           "Barker et al. (2017) ask for, which is well-posed. I has the strain rate of (20). The last two are one "
+           "under critical_state")
+      .symbol("M")
+      .used_if(some, absent);
+  const bool inertial = some && friction.coefficient != FrictionCoefficient::constant;
+  const std::string no_inertia = some ? "friction_coefficient is constant" : absent;
+  o.real("friction_coefficient_limit", friction.mu_2, "-", positive(), "M(I) of fast flow")
+      .symbol("mu_2")
+      .used_if(inertial, no_inertia);
+  o.real("friction_inertial_number", friction.I_0, "-", positive(), "I at which M(I) is half way to its limit")
+      .symbol("I_0")
+      .used_if(inertial, no_inertia);
   friction.n_dilation = std::sqrt(3.0) / (2 * std::sin(friction.phi));
   o.real("friction_exponent_dilation", friction.n_dilation, "-", greater_than_one(), "n of (14) where div v >= 0")
       .symbol("n")

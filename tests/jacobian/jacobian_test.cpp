@@ -278,6 +278,17 @@ TEST(JacobianOfClosures, BlocksMatchDifferences) {
     }
 }
 
+TEST(JacobianOfClosures, BlocksMatchDifferencesAtTheCriticalState) {
+  for (const TemperatureModel temperature : {TemperatureModel::transport, TemperatureModel::constant}) {
+    const Combination c{2, FrictionModel::critical_state, temperature, AdvectionScheme::upwind};
+    for (const NamedScene& scene : scenes_of_inertial_friction(sample_setup(c))) {
+      SCOPED_TRACE(name_of(c) + ", " + scene.name);
+      Evaluation problem(PETSC_COMM_WORLD, scene.setup);
+      check_blocks(problem, sample(problem, Regime::dense, 2), 30.0, 2);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Jacobian, testing::ValuesIn(combinations()),
                          [](const auto& instance) { return name_of(instance.param); });
 

@@ -242,7 +242,15 @@ inline std::vector<NamedScene> scenes_of_gas(const ProblemSetup& base) {
   return scenes;
 }
 
-/// Each closure that can be chosen: drag laws, g0 and p_c.
+/// M(I) and its flow rules.
+inline std::vector<NamedScene> scenes_of_inertial_friction(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes{{"mu(I)", base}, {"mu(I), consistent flow rule", base}};
+  scenes[0].setup.solids.friction.coefficient = FrictionCoefficient::mu_i;
+  scenes[1].setup.solids.friction.coefficient = FrictionCoefficient::cidr;
+  return scenes;
+}
+
+/// Each closure that can be chosen: drag laws, g0, p_c, the dissipation with friction and with L, M(I).
 inline std::vector<NamedScene> scenes_of_closures(const ProblemSetup& base) {
   std::vector<NamedScene> scenes;
   const auto add = [&](const std::string& what, const char* name) -> SolidsParameters& {
@@ -257,6 +265,19 @@ inline std::vector<NamedScene> scenes_of_closures(const ProblemSetup& base) {
     solids.friction.pressure = p_c;
     if (p_c != default_friction_pressure()) solids.friction.nu_min = .6;  // so that a penalty does not drown the rest
   }
+  for (const EffectiveRestitution* form : effective_restitutions()) {
+    KineticParameters& kinetic = add("effective restitution", form->name).kinetic;
+    kinetic.mu_p = .3;
+    kinetic.e_eff = form;
+    for (Segment& segment : scenes.back().setup.segments) segment.condition.wall.mu_w = .2;
+  }
+  for (const CorrelationLength* length : correlation_lengths()) {
+    KineticParameters& kinetic = add("correlation length", length->name).kinetic;
+    kinetic.mu_p = .3;
+    kinetic.length = length;
+    kinetic.length_constant = 1;
+  }
+  for (NamedScene& scene : scenes_of_inertial_friction(base)) scenes.push_back(std::move(scene));
   return scenes;
 }
 

@@ -25,6 +25,18 @@ for nu, ratio in RATIO.items():
     checks.close(f"nu {nu}: chi", last["frictional_pressure_ratio"].mean(), 1.0, absolute=1e-9)
     checks.close(f"nu {nu}: frictional pressure [Pa]", last["frictional_pressure"].mean(), critical_pressure(nu), relative=1e-6)
 
+# Friction between particles and chains of them change the dissipation alone, by (1 - e_eff^2)/(1 - e_p^2) and d/L.
+for name, nu, options, factor in (
+        ("chialvo_sundaresan", 0.55, {"particle_friction": 0.3}, 1 / 2.74233581),
+        ("jenkins_zhang", 0.55, {"particle_friction": 0.3, "effective_restitution": "jenkins_zhang"}, 1 / 2.97638141),
+        ("berzi_vescovi", 0.6, {"correlation_length": "berzi_vescovi"}, 1.49129179),
+        ("jenkins", 0.6, {"correlation_length": "jenkins", "correlation_length_constant": 1, "particle_friction": 0.3},
+         1.71441288 / 2.74233581)):
+    run = program.run("simple_shear.yaml", name, {**EXACT, **options, "initial_everywhere_solids_fraction": nu,
+                                                  "initial_everywhere_frictional_pressure_ratio": 1})
+    checks.close(f"{name}, nu {nu}: mean T [m2/s2]", run.fields["granular_temperature"].mean(),
+                 factor * RATIO[nu] * (D * GDOT) ** 2, relative=1e-5)
+
 # T that is no unknown is written too.
 nu = 0.3
 run = program.run("simple_shear.yaml", "algebraic", {

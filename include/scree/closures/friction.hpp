@@ -6,6 +6,7 @@
 
 #include "scree/closures/friction_pressure.hpp"
 #include "scree/math/dual.hpp"
+#include "scree/math/rounded.hpp"
 
 namespace scree {
 
@@ -29,6 +30,10 @@ class FrictionModel {
 /// The models that options offer: none, critical_state, instantaneous, relaxed and what was appended.
 std::vector<FrictionModel>& friction_models();
 
+/// M of the yield surface, sin(phi) in the paper. constant: sin(phi). mu_i: M(I) with the flow rule (13) as it is;
+/// cidr: with the one that belongs to it (inertial.hpp).
+enum class FrictionCoefficient { constant, mu_i, cidr };
+
 /// Parameters of the frictional closures (SI units).
 struct FrictionParameters {
   FrictionModel model = FrictionModel::relaxed;
@@ -36,6 +41,10 @@ struct FrictionParameters {
   double phi = 0.49741883681838395;                                ///< angle of internal friction [rad], 28.5 deg
   double n_dilation = 1.8149628088422;  ///< exponent n where div v >= 0: sqrt(3)/(2 sin phi) [-]
   double n_compaction = 1.03;           ///< exponent n where div v < 0 [-]
+  FrictionCoefficient coefficient = FrictionCoefficient::constant;
+  double mu_2 = 0.6435;                 ///< M of fast flow; that of slow flow is sin(phi) [-]
+  double I_0 = 0.278;                   ///< inertial number at which M is half way [-]
+  double rho_s = 2900.0;                ///< solids density, in the inertial number [kg/m3]
   double F = 0.05;                      ///< constant of (18) [Pa]
   double r = 2.0;                       ///< exponent of (18) [-]
   double s = 5.0;                       ///< exponent of (18) [-]
@@ -62,15 +71,6 @@ Number clipped_power(const Number& base, double exponent, double width) {
   if (base >= width) return exponent == 1 ? base : pow(base, exponent);
   const Number t = base / width;
   return std::pow(width, exponent) * (t * t * ((3 - exponent) + (exponent - 2) * t));
-}
-
-/// min(x, limit), rounded by a parabola over limit +- width.
-template <class Number>
-Number rounded_minimum(const Number& x, double limit, double width) {
-  if (x <= limit - width) return x;
-  if (x >= limit + width) return Number(limit);
-  const Number t = x - (limit - width);
-  return x - t * t / (4 * width);
 }
 
 /// x^exponent for x > 0, by multiplications where the exponent is a small integer.

@@ -4,7 +4,10 @@
 
 #include <limits>
 
+#include "scree/closures/correlation_length.hpp"
+#include "scree/closures/effective_restitution.hpp"
 #include "scree/closures/radial_distribution.hpp"
+#include "scree/math/constants.hpp"
 #include "scree/math/dual.hpp"
 
 namespace scree {
@@ -21,13 +24,25 @@ struct KineticParameters {
   double alpha = 1.6;     ///< constant of (1.1) [-]
   double T_rest = 0;      ///< transported T that collisions leave at nu_max [m2/s2]
   const RadialDistribution* g0 = default_radial_distribution();  ///< one of radial_distributions()
+  double mu_p = 0;  ///< coefficient of friction between particles, in the dissipation alone [-]
+  const EffectiveRestitution* e_eff = default_effective_restitution();  ///< one of effective_restitutions()
+  const CorrelationLength* length = nullptr;  ///< L in the dissipation, one of correlation_lengths(); none: L = d
+  double length_constant = 0.5;               ///< c of `jenkins` [-]
 };
-
-inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double sqrt_pi = 1.77245385090551602730;
 
 /// eta = (1 + e_p)/2 [-].
 inline double eta(const KineticParameters& p) { return (1 + p.e_p) / 2; }
+
+/// Restitution that the dissipation takes: e_p, with friction between particles the effective one [-].
+inline double dissipation_restitution(const KineticParameters& p) {
+  return p.mu_p == 0 ? p.e_p : p.e_eff->e_eff(p.e_p, p.mu_p);
+}
+
+/// 48/sqrt(pi) eta (1 - eta) of (1.4), with dissipation_restitution [-].
+inline double dissipation_constant(const KineticParameters& p) {
+  const double eta_J = (1 + dissipation_restitution(p)) / 2;
+  return 48 / sqrt_pi * eta_J * (1 - eta_J);
+}
 
 /// sqrt(T + floor) [m/s]: the square root that all closures use, with a finite derivative at T = 0. `floor` in m2/s2.
 template <class Number>
@@ -80,10 +95,17 @@ Number conductivity_factor(const Number& nu, const Number& g0, const KineticPara
   return scale * (1.0 / g0 + nu * (a + b) + (a * b + 64 / (25 * pi) * c * e * e) * (nu * nu * g0));
 }
 
+/// J_coll = factor rho_s T^(3/2)/L.
+template <class Number>
+Number collision_dissipation_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
+  return dissipation_constant(p) * (nu * nu * g0);
+}
+
 /// J_coll = factor rho_s T^(3/2)/d.
 template <class Number>
 Number dissipation_factor(const Number& nu, const Number& g0, const KineticParameters& p) {
-  return (48 / sqrt_pi * eta(p) * (1 - eta(p))) * (nu * nu * g0);
+  const Number collisions = collision_dissipation_factor(nu, g0, p);
+  return p.length ? collisions / by_one_argument<CorrelationLengthFunction>(p.length->ratio, nu, p) : collisions;
 }
 
 /// Kinetic pressure rho_s nu (1 + 4 eta nu g0) T of (1.1), without its bulk term [Pa].
@@ -172,7 +194,7 @@ std::array<Number, count> kinetic_factors(const Number& nu, const KineticParamet
 template <class Number>
 Number local_dissipation_factor(const Number& fJ, const KineticParameters& p) {
   constexpr double dilute = 1e-3;
-  const double J_dilute = 48 / sqrt_pi * eta(p) * (1 - eta(p)) * dilute * dilute;
+  const double J_dilute = dissipation_constant(p) * dilute * dilute;
   return sqrt(fJ * fJ + J_dilute * J_dilute);
 }
 

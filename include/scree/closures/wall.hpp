@@ -12,6 +12,7 @@ struct WallParameters {
   double delta = 0.21467549799530256;  ///< angle of wall friction [rad], 12.3 deg
   double specularity = 0.25;           ///< phi' [-]
   double e_w = 0.91;                   ///< particle-wall restitution [-]
+  double mu_w = 0;                     ///< coefficient of friction in collisions with the wall, in (26) alone [-]
   double nu_max = 0.65;                ///< maximum solids packing [-]
   double slip_regularisation = 3e-3;   ///< v_e of v_sl/sqrt(v_sl^2 + v_e^2) in Coulomb friction [m/s]
 };
@@ -35,12 +36,18 @@ Number wall_traction_coefficient(const Number& nu, const Number& sqrt_T, const N
          wall.specularity * wall_collision_rate(nu, sqrt_T, kinetic, wall);
 }
 
+/// 1 - e^2 of (26), e being e_w or, with friction in collisions, the effective restitution of the case [-].
+inline double wall_inelasticity(const KineticParameters& kinetic, const WallParameters& wall) {
+  const double e = wall.mu_w == 0 ? wall.e_w : kinetic.e_eff->e_eff(wall.e_w, wall.mu_w);
+  return 1 - e * e;
+}
+
 /// n.q of (26), n from the wall into the particles: slip work minus inelastic loss [W/m2].
 template <class Number>
 Number wall_heat_flux(const Number& nu, const Number& T, const Number& sqrt_T, const Number& slip_speed_squared,
                       const KineticParameters& kinetic, const WallParameters& wall) {
   return wall_collision_rate(nu, sqrt_T, kinetic, wall) *
-         (wall.specularity * slip_speed_squared - 1.5 * (1 - wall.e_w * wall.e_w) * T);
+         (wall.specularity * slip_speed_squared - 1.5 * wall_inelasticity(kinetic, wall) * T);
 }
 
 // ---- from the centre of the cell beside a wall to the wall ----
@@ -75,7 +82,7 @@ Number wall_sqrt_temperature(const Number& nu, const Number& sqrt_T, const Numbe
                              const Number& slip_speed_squared, double distance, const KineticParameters& kinetic,
                              const WallParameters& wall) {
   const Number rate = distance * wall_collision_rate(nu, Number(1.0), kinetic, wall), conduction = 2.0 / 3 * kappa_0;
-  const Number A = conduction + 1.5 * (1 - wall.e_w * wall.e_w) * rate;
+  const Number A = conduction + 1.5 * wall_inelasticity(kinetic, wall) * rate;
   const Number B = wall.specularity * slip_speed_squared * rate;
   const Number C = conduction * sqrt_T * sqrt_T * sqrt_T;
   const double a = value_of(A), b = value_of(B), c = value_of(C);

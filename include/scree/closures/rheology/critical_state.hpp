@@ -1,6 +1,7 @@
 /// Critical state at any rate of dilation: chi = 1, eq. (22).
 #pragma once
 
+#include "scree/closures/inertial.hpp"
 #include "scree/closures/rheology.hpp"
 
 namespace scree {
@@ -12,7 +13,9 @@ struct CriticalState {
   template <class Number>
   static FrictionalStress<Number> stress(const FrictionalPoint<Number>& q, const FrictionParameters& p) {
     if (q.p_c == 0.0) return {Number(0.0), Number(0.0)};
-    return {q.p_c, friction_coefficient(p) * q.p_c / (2.0 * q.gamma)};
+    const Number viscosity = friction_coefficient(p) * q.p_c / (2.0 * q.gamma);
+    if (p.coefficient == FrictionCoefficient::constant) return {q.p_c, viscosity};
+    return {q.p_c, inertial_point(q.p_c, q.div_v, q.gamma, p).ratio * viscosity};
   }
 
   template <class Number>
