@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include "scree/app/initial_run.hpp"
+#include "scree/config/input_error.hpp"
+#include "scree/config/quantity.hpp"
 
 #include "scree/balances/layout.hpp"
 
@@ -58,11 +63,44 @@ double initial_velocity(const InitialRegion& region, const DiscreteProblem& prob
   return uniform;
 }
 
-/// Whether a point lies in the region's box.
-bool holds(const InitialRegion& region, const std::array<double, max_dim>& x, int dim) {
-  for (int a = 0; a < dim; ++a)
-    if (x[a] < region.lower[a] || x[a] > region.upper[a]) return false;
-  return true;
+/// Sets what the region gives, at the owned nodes in it.
+void fill_region(const Case& the_case, const InitialRegion& region, const DiscreteProblem& problem,
+                 const InitialRun* run, Vec state) {
+  const Lattice& grid = problem.lattice();
+  const Model& model = problem.model();
+  const SolidsFraction solids_fraction(region, the_case, grid);
+  double* x;
+  PetscCallAbort(PETSC_COMM_SELF, VecGetArray(state, &x));
+  for (const Field& field : model.fields()) {
+    const InitialValue* given = region.find(*field.unknown);
+    const bool from_run = run && run->has(field) && (!given || field.is<SolidsContinuity>());
+    if (!given && !from_run && !(field.is<SolidsContinuity>() && region.has_own_solids_fraction())) continue;
+    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+      if (field.face_axis < 0 ? !grid.inside(I) : !grid.is_face(field.face_axis, I)) return;
+      std::array<double, max_dim> at{};
+      for (int a = 0; a < grid.dim; ++a)
+        at[a] = a == field.face_axis ? grid.axes[a].face(I[a]) : grid.axes[a].centre(I[a]);
+      if (!region.holds(at, grid.dim)) return;
+      double value = given ? given->value[static_cast<std::size_t>(std::max(field.face_axis, 0))] : 0;
+      if (from_run)
+        value = run->value(grid, field, I);
+      else if (field.is<SolidsContinuity>())
+        value = solids_fraction.at(grid, I, value);
+      if (field.is<SolidsMomentum>()) value = initial_velocity(region, problem, field.face_axis, I, at, value);
+      x[grid.owned(I) * model.unknowns() + field.component] = value / field.scale;
+    });
+  }
+  PetscCallAbort(PETSC_COMM_SELF, VecRestoreArray(state, &x));
+}
+
+/// A run with another nu_max may be packed more densely than this case bears.
+void check_packing(const Case& the_case, const InitialRegion& region, const DiscreteProblem& problem, Vec state) {
+  double greatest;
+  PetscCallAbort(PETSC_COMM_SELF, VecStrideMax(state, Model::solids_fraction, nullptr, &greatest));
+  if (greatest < the_case.kinetic.nu_max) return;
+  throw InputError("initial_" + region.name + "_run", region.run,
+                   "a run with solids fractions below solids_fraction_max = " + number_text(the_case.kinetic.nu_max) +
+                       "; that one has up to " + number_text(greatest * problem.model().fields()[0].scale));
 }
 
 }  // namespace
@@ -93,31 +131,20 @@ std::vector<double> equilibrium_column(const Axis& axis, double gravity, int dow
   return nu;
 }
 
-void set_initial_state(const Case& the_case, const DiscreteProblem& problem, Vec state) {
-  const Lattice& grid = problem.lattice();
-  const Model& model = problem.model();
-  double* x;
+std::vector<std::string> set_initial_state(const Case& the_case, const DiscreteProblem& problem, Vec state) {
+  std::vector<std::string> remarks;
   PetscCallAbort(PETSC_COMM_SELF, VecZeroEntries(state));
-  PetscCallAbort(PETSC_COMM_SELF, VecGetArray(state, &x));
   for (const InitialRegion& region : the_case.initial) {
-    const SolidsFraction solids_fraction(region, the_case, grid);
-    for (const Field& field : model.fields()) {
-      const InitialValue* given = region.find(*field.unknown);
-      if (!given && !(field.is<SolidsContinuity>() && region.has_own_solids_fraction())) continue;
-      for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-        if (field.face_axis < 0 ? !grid.inside(I) : !grid.is_face(field.face_axis, I)) return;
-        std::array<double, max_dim> at{};
-        for (int a = 0; a < grid.dim; ++a)
-          at[a] = a == field.face_axis ? grid.axes[a].face(I[a]) : grid.axes[a].centre(I[a]);
-        if (!holds(region, at, grid.dim)) return;
-        double value = given ? given->value[static_cast<std::size_t>(std::max(field.face_axis, 0))] : 0;
-        if (field.is<SolidsContinuity>()) value = solids_fraction.at(grid, I, value);
-        if (field.is<SolidsMomentum>()) value = initial_velocity(region, problem, field.face_axis, I, at, value);
-        x[grid.owned(I) * model.unknowns() + field.component] = value / field.scale;
-      });
+    std::unique_ptr<InitialRun> run;
+    if (!region.run.empty()) {
+      const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(problem.dm()));
+      run = std::make_unique<InitialRun>(comm, the_case, region, problem.lattice());
+      remarks.push_back(run->remark(problem.model().fields()));
     }
+    fill_region(the_case, region, problem, run.get(), state);
+    if (run) check_packing(the_case, region, problem, state);
   }
-  PetscCallAbort(PETSC_COMM_SELF, VecRestoreArray(state, &x));
+  return remarks;
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "scree/app/check_fields.hpp"
+#include "scree/app/initial_run.hpp"
 #include "scree/app/petsc_session.hpp"
 #include "scree/app/simulation.hpp"
 #include "scree/config/command_line.hpp"
@@ -56,7 +57,10 @@ void run_case(const char* program, const CaseInput& input, const Parts& parts) {
   const PetscSession petsc(program, the_case.petsc_options);
   petsc.check_options();
   check_fields(the_case, parts.models);
-  if (the_case.check_only) return print_case(the_case);
+  if (the_case.check_only) {
+    check_initial_runs(PETSC_COMM_WORLD, the_case);
+    return print_case(the_case);
+  }
   Progress log(PETSC_COMM_WORLD);
   for (const std::string& remark : the_case.remarks) log.remark("%s", remark.c_str());
   simulate(the_case, parts, log);

@@ -87,7 +87,8 @@ void Simulation::reconsider_preset(const StepReport& report) {
 
 void Simulation::start_new() {
   print_solver();
-  set_initial_state(case_, problem_, stepper_->state());
+  for (const std::string& remark : set_initial_state(case_, problem_, stepper_->state()))
+    log_.remark("%s", remark.c_str());
   make_gas_consistent();
   check_petsc(problem_.solids_volume(stepper_->state(), &totals_.initial_volume), "solids volume");
   open_outputs(std::nullopt);

@@ -108,7 +108,12 @@ void check_region(const Case& the_case, const InitialRegion& region) {
       throw InputError(key + "box", number_text(region.lower[axis]) + ", " + number_text(region.upper[axis]),
                        std::string("lower below upper, inside the box, along axis ") + axis_names[axis]);
   }
-  if (region.profile != InitialRegion::Profile::equilibrium) return;
+  const bool equilibrium = region.profile == InitialRegion::Profile::equilibrium;
+  if (!region.run.empty() && (equilibrium || !region.table.empty()))
+    throw InputError(key + "run", region.run,
+                     std::string("no run where ") + (equilibrium ? "profile is equilibrium" : "a table is given") +
+                         ", which gives the solids fraction too");
+  if (!equilibrium) return;
   if (!region.table.empty()) throw InputError(key + "table", region.table, "no table where profile is equilibrium");
   const auto& g = the_case.model.gravity;
   if (std::count_if(g.begin(), g.end(), [](double component) { return component != 0; }) != 1)

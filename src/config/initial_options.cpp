@@ -33,9 +33,13 @@ void declare_profile(OptionSet& o, const std::string& key, const GridInput& grid
          "lines 'coordinate solids_fraction', in SI, interpolated; beside the case file that names it");
   o.choice(key + "table_axis", region.table_axis, axis_choices(o, grid.dim), "axis of the table's coordinate")
       .used_if(!region.table.empty() || o.describing(), "there is no table");
+  o.text(key + "run", region.run, "a directory of a run",
+         "run whose last state fills the region, from its grid to this one: solids fraction with its mass, velocities "
+         "and temperatures as means; values that the region names itself hold, and what that run has not, such as a "
+         "gas, starts as elsewhere");
 }
 
-/// The option of one unknown, which may be given `elsewhere`, by a profile or table; whether it is given.
+/// The option of one unknown, which may be given `elsewhere`, by a profile, table or run; whether it is given.
 bool declare_value(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case, bool elsewhere,
                    const Unknown& unknown, InitialValue& entry) {
   entry.unknown = &unknown;
@@ -47,7 +51,7 @@ bool declare_value(OptionSet& o, const std::string& key, const GridInput& grid, 
   return option.symbol(unknown.symbol)
       .unset_by_default("unchanged")
       .used_if(absent.empty(), absent)
-      .used_if(!elsewhere, "its profile or table gives the solids fraction")
+      .used_if(!elsewhere, "its profile, table or run gives the solids fraction")
       .given;
 }
 

@@ -32,10 +32,20 @@ void put_patch(const Box& box, int normal, Patch& patch, const std::string& key)
   }
 }
 
+/// A region that another run fills takes whole cells, so that they hold all of what is theirs.
+void put_region(const Box& box, InitialRegion& region) {
+  for (int axis = 0; axis < box.dim && !region.run.empty(); ++axis) {
+    for (double* edge : {&region.lower[axis], &region.upper[axis]})
+      if (*edge > box.lower(axis) && *edge < box.upper(axis))
+        *edge = on_plane(box, axis, *edge, "initial_" + region.name + "_box");
+  }
+}
+
 }  // namespace
 
 void put_on_grid(Case& the_case) {
   const Box& box = the_case.box;
+  for (InitialRegion& region : the_case.initial) put_region(box, region);
   for (Segment& segment : the_case.segments)
     put_patch(box, segment.axis, segment.patch, "boundary_" + segment.condition.name + "_patch");
   for (Plate& plate : the_case.plates) {

@@ -24,7 +24,7 @@ class DevelopedFlow {
     control.step.initial = case_.time.step_initial;
     stepper_ = std::make_unique<TimeStepper>(problem_, control);
     check(stepper_->create(0, solver));
-    set_initial_state(case_, problem_, stepper_->state());
+    (void)set_initial_state(case_, problem_, stepper_->state());
     bool done;
     check(make_gas_consistent(problem_, control, solver, 0, stepper_->state(), &done));
     for (StepReport report; stepper_->time() < until * (1 - 1e-12) && !report.failed;)

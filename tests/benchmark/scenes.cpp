@@ -73,7 +73,7 @@ Sample::Sample(const Scene& scene, int refine) : problem_(problem_setup(read_sce
   check(DMCreateGlobalVector(problem_.dm(), &state_));
   check(VecDuplicate(state_, &rate_));
   check(VecDuplicate(state_, &residual_));
-  set_initial_state(read, problem_, state_);
+  (void)set_initial_state(read, problem_, state_);
   disturb(problem_, state_);
   check(VecCopy(state_, rate_));
 }

@@ -1,13 +1,17 @@
 /// The state at t = 0, from the regions of a case.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scree/config/case.hpp"
 #include "scree/stepping/discrete_problem.hpp"
 
 namespace scree {
 
-/// Fills the global vector `state`; later regions overwrite earlier ones.
-void set_initial_state(const Case& the_case, const DiscreteProblem& problem, Vec state);
+/// Collective. Fills the global vector `state`; later regions overwrite earlier ones. Returns a line for the log for
+/// each region that another run fills. Throws InputError on all ranks where such a run does not fit.
+std::vector<std::string> set_initial_state(const Case& the_case, const DiscreteProblem& problem, Vec state);
 
 /// Solids fractions of a column at rest under its own weight, one a cell of `axis`, as the discrete momentum balance
 /// has it: p_c(nu_i) - p_c(nu_above) = rho_s g nu_face distance, T4; with wall friction in a bin of width

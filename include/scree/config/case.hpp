@@ -39,12 +39,13 @@ struct InitialRegion {
   std::string table;             ///< absolute path of lines "coordinate solids_fraction" along table_axis; empty: none
   Ramp table_values;             ///< what it holds: factor is the solids fraction
   int table_axis = 0;
+  std::string run;  ///< directory of a run whose last state fills the region; empty: none
   std::vector<InitialValue> values;  ///< of the unknowns that the region gives; the others stay as they are
   std::array<double, max_dim * max_dim>
       velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
 
-  /// Whether nu comes from a table or a profile.
-  bool has_own_solids_fraction() const { return profile != Profile::uniform || !table.empty(); }
+  /// Whether nu comes from a table, a profile or another run.
+  bool has_own_solids_fraction() const { return profile != Profile::uniform || !table.empty() || !run.empty(); }
   bool gives_solids_fraction() const { return has_own_solids_fraction() || find(SolidsContinuity::unknown); }
   /// nu where it is uniform; 0 where the region says nothing of it.
   double uniform_solids_fraction() const {
