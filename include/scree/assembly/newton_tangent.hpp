@@ -24,19 +24,15 @@ enum class TangentKind { exact, stress_velocity };
 /// one of them with the weight -1/3.
 template <class Number, std::size_t capacity>
 struct StrainComponents {
-  std::array<Number, capacity> value;
+  std::array<Number, capacity> value;  ///< the first `size`
   std::array<double, capacity> weight;
   std::size_t size = 0;
+  Number square{0.0};  ///< S:S [1/s2]
 
   void add(const Number& component, double its_weight) {
     value[size] = component;
     weight[size++] = its_weight;
-  }
-  /// S:S [1/s2].
-  Number square() const {
-    Number sum(0.0);
-    for (std::size_t k = 0; k < size; ++k) sum += weight[k] * (value[k] * value[k]);
-    return sum;
+    square += its_weight * (component * component);
   }
 };
 

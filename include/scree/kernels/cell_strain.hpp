@@ -85,7 +85,7 @@ template <class Number, std::size_t capacity, class Temperature, class Kind>
 [[gnu::always_inline]] inline Number square_of_strain(const Scene& scene, const StrainComponents<Number, capacity>& S,
                                                       [[maybe_unused]] const Temperature& T,
                                                       [[maybe_unused]] const Index& I, [[maybe_unused]] Kind&& kind) {
-  Number S_S = S.square();
+  Number S_S = S.square;
   if constexpr (IsDual<Number>::value)
     if (scene.tangent) {
       const double gamma = fluctuating_strain_rate(value_of(S_S), value_of(T), scene.solids.friction);
