@@ -8,15 +8,6 @@ namespace scree {
 namespace {
 
 constexpr double fewest_across = 5;  ///< particles across a box or opening: grains arch over less, a continuum does not
-constexpr double dense = 0.5;        ///< solids fraction of a bed, whose particles carry each other
-
-using Point = std::array<double, max_dim>;
-
-bool bed_at(const Case& the_case, const Point& place) {
-  const InitialRegion* region = the_case.solids_region(place);
-  return region &&
-         (region->profile == InitialRegion::Profile::equilibrium || region->uniform_solids_fraction() >= dense);
-}
 
 bool mirrored(const Case& the_case, int axis, bool upper) {
   for (const Segment& segment : the_case.segments)
@@ -63,31 +54,6 @@ void add_opening(const Case& the_case, const Patch& patch, int normal, const std
                       "; grains arch over less than about 5, which the equations do not know");
 }
 
-/// A place half a cell inside the box behind the middle of a segment.
-Point behind(const Case& the_case, const Segment& segment) {
-  const Box& box = the_case.box;
-  Point place{};
-  for (int axis = 0; axis < box.dim; ++axis) {
-    const double lower = std::max(segment.patch.lower[axis], box.lower(axis));
-    const double upper = std::min(segment.patch.upper[axis], box.upper(axis));
-    place[axis] = 0.5 * (lower + upper);
-  }
-  const std::vector<double>& faces = box.faces[segment.axis];
-  const std::size_t first = segment.upper ? faces.size() - 2 : 0;
-  place[segment.axis] = 0.5 * (faces[first] + faces[first + 1]);
-  return place;
-}
-
-/// What lets particles out prescribes no stress: a bed on a part of a side keeps its pressure and stays.
-void add_outlet(const Case& the_case, const Segment& segment, std::vector<std::string>& remarks) {
-  const bool whole = std::isinf(narrowest(the_case, segment.patch, segment.axis));
-  const bool carries = the_case.friction.model->has_friction && the_case.model.solids_moving;
-  if (whole || !carries || !bed_at(the_case, behind(the_case, segment))) return;
-  remarks.push_back("boundary_" + segment.condition.name + "_kind = " + std::string(segment.condition.kind.name) +
-                    " is odd: a bed lies on this part of a side and may not pass it; put a plate with the "
-                    "opening some cells inside and leave the whole side open");
-}
-
 }  // namespace
 
 std::vector<std::string> odd_numbers(const Case& the_case) {
@@ -102,7 +68,6 @@ std::vector<std::string> odd_numbers(const Case& the_case) {
     const Condition& condition = segment.condition;
     if (condition.kind.lets_solids_out() || brings_particles(condition))
       add_opening(the_case, segment.patch, segment.axis, "boundary_" + condition.name + "_patch", remarks);
-    if (condition.kind.lets_solids_out()) add_outlet(the_case, segment, remarks);
   }
   return remarks;
 }
