@@ -217,7 +217,7 @@ std::string header_of(const std::string& path) {
   if (version != std::to_string(format_version)) {
     throw wrong("format version '" + version + "', expected " + std::to_string(format_version));
   }
-  const std::string header = read_text_dataset(file.id(), "header");
+  std::string header = read_text_dataset(file.id(), "header");
   if (checksum(header) != read_text_attribute(file.id(), "header_checksum")) throw wrong("checksum of header differs");
   return header;
 }
@@ -288,7 +288,7 @@ std::string write_checkpoint(const std::string& directory, int index, const Box&
   const int dof = unknowns_of(dm);
   char name[24];
   std::snprintf(name, sizeof name, "%08d.h5", index);
-  const std::string path = directory + "/checkpoints/" + name;
+  std::string path = directory + "/checkpoints/" + name;
   on_first_rank(comm, [&] { fs::create_directories(directory + "/checkpoints"); });
 
   Json header{{"format", format_name}, {"version", format_version}, {"index", index}};
