@@ -23,8 +23,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "openmpi-bin, python3, python3-numpy, python3-scipy, python3-matplotlib, python3-h5py, \
 python3-xarray, python3-pandas, python3-yaml, python3-pil")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "solver for dense gas-particle flow
- Silos that empty, beds that bubble, heaps that settle: grains and gas as two
- continua, solved implicitly and in parallel. With its cases and the Python
- package that runs it and opens what it leaves.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Silos that empty, beds that bubble, heaps that settle: grains and gas as two \
+continua, solved implicitly and in parallel. With its cases, and the Python package that runs it and opens what it leaves.")
 include(CPack)

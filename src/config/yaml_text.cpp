@@ -178,9 +178,8 @@ class Walk {
     std::size_t at = 0;
     for (int line = 0; line < node.Mark().line; ++line) at = text_.find('\n', at) + 1;
     for (at += column + 1; at < text_.size(); ++at) {
-      if (quote == '"' && text_[at] == '\\')
-        ++at;
-      else if (text_[at] == quote && quote == '\'' && at + 1 < text_.size() && text_[at + 1] == quote)
+      const bool doubled = quote == '\'' && text_[at] == quote && at + 1 < text_.size() && text_[at + 1] == quote;
+      if (doubled || (quote == '"' && text_[at] == '\\'))
         ++at;
       else if (text_[at] == quote)
         return false;

@@ -19,7 +19,7 @@ bool works(const SharedGrid& grid, const RankSplit& split) {
 
 /// The greatest divisor of `number` up to `wanted`, 1 at least.
 int divisor_near(int number, double wanted) {
-  int divisor = std::max(1, static_cast<int>(0.5 + wanted));
+  int divisor = std::max(1, static_cast<int>(std::lround(wanted)));
   while (number % divisor != 0) --divisor;
   return divisor;
 }

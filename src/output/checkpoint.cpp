@@ -154,7 +154,7 @@ std::string write_checkpoint(const std::string& directory, int index, const Box&
   const int dof = unknowns_of(dm);
   char name[24];
   std::snprintf(name, sizeof name, "%08d.h5", index);
-  const std::string path = directory + "/checkpoints/" + name;
+  std::string path = directory + "/checkpoints/" + name;
   on_first_rank(comm, [&] { fs::create_directories(directory + "/checkpoints"); });
 
   Json header{{"format", checkpoint_format}, {"version", checkpoint_version}, {"index", index}};

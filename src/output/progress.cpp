@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +29,7 @@ bool on_terminal() {
 }
 
 std::string duration(double seconds) {
-  const long whole = static_cast<long>(std::min(seconds, 1e9) + 0.5);
+  const long whole = std::lround(std::min(seconds, 1e9));
   char text[48];
   std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
   return text;

@@ -159,6 +159,13 @@ struct EdgeStress {
   /// The most components of S at an edge: D_ab, D_aa, div v and D_ac, D_bc on the edges about.
   static constexpr std::size_t component_count = L::dim + 2 + (L::dim > 2 ? 8 : 0);
 
+  /// Whether a barrier is on the lower `c` face of cell I + at, or of the cell before the side that the edge lies on.
+  static bool shut(const Scene& scene, const Index& I, int c, Index at) {
+    for (const int normal : {a, b})
+      if (scene.near && on_side_of_axis(scene, normal, I)) at = before_side(I, normal, at);
+    return scene.barrier(c, I + at);
+  }
+
   /// D_ac and D_bc, c being the axis along the edge; edges on barriers count with zero.
   template <class Number>
   static void add_other_shear(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, int c,
@@ -166,7 +173,7 @@ struct EdgeStress {
     for (int side = 0; side < 2; ++side)
       for (int back = 0; back < 2; ++back) {
         const auto add = [&](int axis, const Index& at) {
-          if (scene.barrier(c, I + at) || scene.barrier(c, I + at - unit(axis))) return;
+          if (shut(scene, I, c, at) || shut(scene, I, c, at - unit(axis))) return;
           S.add(shear_rate<L>(scene, I, q, axis, c, at), 0.5);
         };
         add(a, side * unit(c) - back * e_b);

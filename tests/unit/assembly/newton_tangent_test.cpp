@@ -20,7 +20,9 @@ std::array<double, n> slope(StressDirections& directions, const Strain& S, doubl
   directions.next();
   Dual<n> S_S = S.square;
   directions.replace(0, S, std::sqrt(S.square.value + floor * floor), S_S);
-  return S_S.derivative;
+  std::array<double, n> result;
+  for (int k = 0; k < n; ++k) result[k] = S_S.derivative[k];
+  return result;
 }
 
 TEST(StressDirections, BeginWithTheExactTangentOrAShareOfIt) {

@@ -23,7 +23,7 @@ FrictionParameters glass(FrictionCoefficient coefficient) {
   p.phi = std::asin(.3819);
   p.n_dilation = std::sqrt(3.0) / (2 * .4772);
   p.rho_s = 2450;
-  p.strain_rate_fluctuation = false;
+  p.fluctuation = 0;
   p.strain_rate_floor = 0;
   return p;
 }
