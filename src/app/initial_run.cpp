@@ -42,7 +42,8 @@ SavedState read_run(MPI_Comm comm, const InitialRegion& region, const std::funct
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(key_of(region), region.run, std::string("the output directory of a run of Scree; ") + error.what());
+    throw InputError(key_of(region), region.run,
+                     std::string("the output directory of a run of Scree; ") + error.what());
   }
 }
 
@@ -59,7 +60,8 @@ class Span {
   void put_into(const Box& box, int axis, NodeBlock& block) const {
     const int nodes = nodes_of(box)[axis];
     const bool round = box.periodic[axis] && (least_ < 1 || greatest_ > nodes - 2);
-    const int first = round ? 0 : std::max(least_ - 1, 0), last = round ? nodes - 1 : std::min(greatest_ + 1, nodes - 1);
+    const int first = round ? 0 : std::max(least_ - 1, 0),
+              last = round ? nodes - 1 : std::min(greatest_ + 1, nodes - 1);
     block.first[axis] = least_ > greatest_ ? 0 : first;
     block.count[axis] = least_ > greatest_ ? 0 : last - first + 1;
   }

@@ -5,10 +5,9 @@
 #include <memory>
 
 #include "scree/app/initial_run.hpp"
+#include "scree/balances/layout.hpp"
 #include "scree/config/input_error.hpp"
 #include "scree/config/quantity.hpp"
-
-#include "scree/balances/layout.hpp"
 
 namespace scree {
 

@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "scree/app/derived_cells.hpp"
+#include "scree/app/wall_stress.hpp"
 #include "scree/balances/layout.hpp"
+#include "scree/grid/axis_name.hpp"
 #include "scree/model/derived_fields.hpp"
 #include "scree/output/errors.hpp"
+#include "scree/stepping/gas_flow.hpp"
 
 namespace scree {
 
@@ -76,6 +79,18 @@ std::vector<Quantity> Measures::quantities(double time, Vec state) const {
     if (field.face_axis < 0) add_range(field, [&] { return range(state, field); });
   for (const Field& field : derived_)
     add_range(field, [&] { return range(derived[static_cast<std::size_t>(field.component)]); });
+  for (int axis = 0; with_gas_ && axis < case_.box.dim; ++axis) {
+    if (!case_.box.periodic[axis]) continue;
+    add("mean_pressure_gradient_" + axis_name(axis), "Pa/m",
+        "part of grad p_g along " + axis_name(axis) + " beside that of p_g itself, for the step to come",
+        [&] { return problem_.setup().model.mean_pressure_gradient[axis]; });
+    add("mean_gas_velocity_" + axis_name(axis), "m/s",
+        "superficial velocity of the gas along " + axis_name(axis) + ", mean over the box", [&] {
+          double velocity;
+          check_petsc(mean_gas_velocity(problem_, time, state, axis, &velocity), "flow of gas");
+          return velocity;
+        });
+  }
   for (const FluxPlane& plane : case_.flux_planes) {
     const auto through = [&](Phase phase, double* value) {
       return problem_.plane_flux(time, state, phase, plane.axis, plane.position, plane.patch, value);
@@ -86,6 +101,16 @@ std::vector<Quantity> Measures::quantities(double time, Vec state) const {
     if (with_gas_)
       add("gas_flux_" + plane.name, "m3/s", "volume of gas through flux plane " + plane.name,
           [&] { return sign * flux(Phase::gas, through); });
+  }
+  if (case_.output.wall_stress) {
+    const WallStress walls(case_, problem_);
+    const auto forces = state ? walls.forces(time, state) : std::vector<std::array<double, max_dim>>();
+    const double extent = mass_per_volume_ / case_.kinetic.rho_s;
+    for (std::size_t w = 0; w < walls.names().size(); ++w)
+      for (int a = 0; a < case_.box.dim; ++a)
+        add("force_" + walls.names()[w] + "_" + axis_name(a), "N",
+            "force of the particles on " + walls.names()[w] + " along " + axis_name(a),
+            [&] { return forces[w][static_cast<std::size_t>(a)] * extent; });
   }
   return list;
 }

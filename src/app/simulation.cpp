@@ -13,6 +13,7 @@
 #include "scree/output/directory.hpp"
 #include "scree/output/errors.hpp"
 #include "scree/stepping/consistent_gas.hpp"
+#include "scree/stepping/gas_flow.hpp"
 #include "scree/stepping/presets.hpp"
 
 namespace scree {
@@ -41,10 +42,12 @@ Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& 
       log_(log),
       problem_(problem_setup(the_case, models)),
       clock_(comm),
+      flow_(the_case.model.mean_pressure_gradient),
       trial_(trial_rule(the_case)) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(case_));
   check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
+  find_events();
   measures_ = std::make_unique<Measures>(case_, problem_);
 
   probes_ = std::make_unique<ProbeSet>(case_.box, problem_.dm(), problem_.model().fields(), case_.probes);
@@ -52,6 +55,10 @@ Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& 
 
   if (std::isfinite(case_.output.average_from))
     average_ = std::make_unique<TimeAverage>(problem_.dm(), case_.output.average_from);
+  if (case_.output.wall_stress) {
+    walls_ = std::make_unique<WallStress>(case_, problem_);
+    if (average_) wall_average_ = std::make_unique<WallAverage>(problem_, case_.output.average_from);
+  }
 
   if (case_.output.restart.empty())
     start_new();
@@ -105,6 +112,20 @@ void Simulation::make_gas_consistent() {
   if (!done) log_.remark("no consistent gas pressure found at t = %g s: it starts as it is", stepper_->time());
 }
 
+/// The mean pressure gradient of the next step, along periodic axes.
+void Simulation::hold_gas_flow(const StepReport& report) {
+  if (case_.gas.model == GasModel::none || !case_.gas_flow.held) return;
+  for (int axis = 0; axis < case_.box.dim; ++axis) {
+    if (!case_.box.periodic[axis]) continue;
+    double velocity;
+    GasResistance gas;
+    check_petsc(mean_gas_velocity(problem_, stepper_->time(), stepper_->state(), axis, &velocity), "flow of gas");
+    check_petsc(gas_resistance(problem_, stepper_->state(), axis, &gas), "flow of gas");
+    flow_.adjust(axis, velocity, case_.gas_flow.velocity[axis], report.dt, stepper_->history().dt_next, gas);
+  }
+  problem_.set_mean_pressure_gradient(flow_.gradient());
+}
+
 void Simulation::restart() {
   const Checkpoint saved = read_checkpoint(case_.output.restart, case_.box, problem_.dm(), problem_.model().fields());
   if (!saved.remark.empty()) log_.remark("%s", saved.remark.c_str());
@@ -123,6 +144,10 @@ void Simulation::restart() {
   restore_members(saved, "", stepper_->history());
   check_petsc(stepper_->set_time(time), "restart");
   restore_members(saved, "", totals_);
+  if (case_.gas_flow.held) {
+    restore_members(saved, "", flow_);
+    problem_.set_mean_pressure_gradient(flow_.gradient());
+  }
   restore_average(saved);
   open_outputs(time);
   log_.remark("going on from %s at t = %g s", saved.file.c_str(), time);
@@ -138,6 +163,10 @@ void Simulation::restore_average(const Checkpoint& saved) {
   } else if (saved.has("average")) {
     check_petsc(VecCopy(saved.vector("average"), average_->sum()), "restart");
     restore_members(saved, "", *average_);
+    if (wall_average_ && saved.scalars.count("wall_average_seconds") > 0) {
+      for (const auto& [name, sum] : wall_average_->sums()) check_petsc(VecCopy(saved.vector(name), sum), "restart");
+      restore_members(saved, "", *wall_average_);
+    }
   } else if (saved.scalar("time") > from) {
     log_.remark("output_average_from: %s holds no averages, they begin at its time", saved.file.c_str());
   }
@@ -157,17 +186,25 @@ void Simulation::open_outputs(std::optional<double> restart_time) {
   checkpoint_times_ = OutputTimes(case_.output.checkpoint_interval, stepper_->time());
 }
 
-/// The next start or end of a time window, infinite if there is none.
-double Simulation::next_window() const {
-  double next = std::numeric_limits<double>::infinity();
-  const auto consider = [&](double time) {
-    if (time > stepper_->time() * (1 + 1e-12)) next = std::min(next, time);
-  };
-  for (const Segment& segment : case_.segments) {
-    consider(segment.condition.from);
-    consider(segment.condition.until);
+/// When conditions of faces change.
+void Simulation::find_events() {
+  for (const Segment& segment : case_.segments)
+    events_.insert(events_.end(), {segment.condition.from, segment.condition.until});
+  for (const Plate& plate : case_.plates) {
+    const Axis& axis = problem_.lattice().axes[plate.slide_axis];
+    std::vector<double> centres;
+    for (int i = 0; i < axis.cells(); ++i) centres.push_back(axis.centre(i));
+    const std::vector<double> of_plate = plate.events(centres);
+    events_.insert(events_.end(), of_plate.begin(), of_plate.end());
   }
-  return next;
+  std::sort(events_.begin(), events_.end());
+}
+
+/// The next of them, infinite if there is none.
+double Simulation::next_window() const {
+  const double now = stepper_->time() * (1 + 1e-12);
+  const auto next = std::upper_bound(events_.begin(), events_.end(), now);
+  return next == events_.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
 /// The time that the next step must not pass.
@@ -215,6 +252,7 @@ void Simulation::run() {
       throw std::runtime_error(what);
     }
     account(report);
+    hold_gas_flow(report);
     reconsider_preset(report);
     if (stepper_->time() >= window && window < case_.time.end_time) enter_window();
     if (monitor_due()) append_monitor(report);
@@ -252,6 +290,7 @@ void Simulation::account(const StepReport& report) {
   totals_.gas_imbalance += report.imbalance.gas;
   totals_.dt_max = std::max(totals_.dt_max, report.dt);
   if (average_) average_->add(report.time, report.dt, stepper_->state());
+  if (wall_average_) wall_average_->add(report.time, report.dt, walls_->faces(report.time, stepper_->state()));
 }
 
 double Simulation::mass_error() const {
@@ -309,6 +348,9 @@ void Simulation::write_fields() {
   const int index = fields_->write(stepper_->time(), stepper_->state(), derived_cells(problem_, stepper_->state()),
                                    average_ && !average_->empty() ? average_->mean() : nullptr);
   lines_->write(case_.output.directory, index, stepper_->time(), stepper_->state());
+  if (walls_)
+    write_wall_stress(case_.output.directory, index, stepper_->time(), stepper_->state(), *walls_,
+                      wall_average_ && !wall_average_->empty() ? wall_average_.get() : nullptr, problem_);
   field_times_.pass(stepper_->time());
 }
 
@@ -317,11 +359,16 @@ void Simulation::write_checkpoint() {
   store_members(stepper_->history(), "", scalars);
   store_members(trial_.state(), "", scalars);
   store_members(totals_, "", scalars);
+  if (case_.gas_flow.held) store_members(flow_, "", scalars);
   NamedVecs vectors{{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}};
   if (average_) {
     store_members(*average_, "", scalars);
     scalars["average_from"] = case_.output.average_from;
     vectors.push_back({"average", average_->sum()});
+  }
+  if (wall_average_) {
+    store_members(*wall_average_, "", scalars);
+    for (const auto& sum : wall_average_->sums()) vectors.push_back(sum);
   }
   scree::write_checkpoint(case_.output.directory, static_cast<int>(totals_.steps), case_.box, problem_.dm(),
                           problem_.model().fields(), vectors, scalars, {{"case", case_.effective_yaml}});

@@ -26,7 +26,7 @@ Barriers::Barriers(const Lattice& lattice, const std::vector<Segment>& segments,
   for (auto& faces : face_) faces.assign(lattice.ghosted_size(), 0);
   near_.assign(lattice.ghosted_size(), 0);
   mark_sides(segments, time);
-  mark_plates(plates);
+  mark_plates(plates, time);
   mark_neighbourhood();
 }
 
@@ -46,9 +46,11 @@ void Barriers::mark_sides(const std::vector<Segment>& segments, double time) {
   }
 }
 
-void Barriers::mark_plates(const std::vector<Plate>& plates) {
+void Barriers::mark_plates(const std::vector<Plate>& plates, double time) {
   const Lattice& grid = *lattice_;
-  for (const Plate& plate : plates) {
+  for (const Plate& given : plates) {
+    if (!given.present(time)) continue;
+    const Plate plate = given.at(time);
     conditions_.push_back(plate.condition);
     if (conditions_.size() > 255) throw std::runtime_error("more than 255 boundary segments and plates");
     const Axis& axis = grid.axes[plate.axis];

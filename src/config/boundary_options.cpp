@@ -97,9 +97,27 @@ void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid
   if (!moves) condition.velocity.fill(0);
   declare_wall_values(o, key, has_wall_law(condition), condition.wall);
   declare_inlet_values(o, key, the_case, condition);
+  declare_variation(o, key, "velocity", grid.dim, {condition.kind.brings_solids(), "its kind is not inlet"},
+                    segment.axis, condition.variation);
   declare_gas_side(o, key, grid.dim, the_case, segment);
   o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
   o.real(key + "until", condition.until, "s", any_number(), "end of its time window").unset_by_default("always");
+}
+
+void declare_slide(OptionSet& o, const std::string& key, int dim, Plate& plate) {
+  o.real(key + "slide_speed", plate.slide_speed, "m/s", any_number(),
+         "speed along slide_axis at which the plate slides in its plane, span and openings together; its edges pass "
+         "one face after the other, at whose times steps end, and what slides may reach beyond the box");
+  const bool slides = plate.slides();
+  const std::string at_rest = "its slide_speed is 0";
+  plate.slide_axis = plate.axis == 0 && dim > 1 ? 1 : 0;
+  o.choice(key + "slide_axis", plate.slide_axis, axis_choices(o, dim), "axis along which it slides, in its plane")
+      .default_from("the first axis in its plane")
+      .used_if(o.describing() || slides, at_rest);
+  o.real(key + "slide_from", plate.slide_from, "s", any_number(), "when it begins to slide").used_if(slides, at_rest);
+  o.real(key + "slide_until", plate.slide_until, "s", any_number(), "when it stops")
+      .unset_by_default("never")
+      .used_if(slides, at_rest);
 }
 
 void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, const Case& the_case, Plate& plate) {
@@ -113,9 +131,16 @@ void declare_plate(OptionSet& o, const std::string& key, const GridInput& grid, 
       declare_patches(o, key + "openings", grid.dim, true, "none", "holes in the plate, one after the other");
   for (std::size_t first = 0; first < openings.size(); first += 2 * static_cast<std::size_t>(grid.dim - 1))
     plate.openings.push_back(patch_from(openings, plate.axis, grid.dim, first));
-  o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s", "of the wall, in its plane").symbol("v");
+  o.vector(key + "velocity", plate.condition.velocity, grid.dim, "m/s",
+           "of the wall, in its plane, as of a belt; the plate stays where it is")
+      .symbol("v");
   declare_wall_values(o, key, has_wall_law(plate.condition), plate.condition.wall);
   declare_gas_wall(o, key, the_case, plate.condition);
+  o.real(key + "from", plate.condition.from, "s", any_number(), "when the plate comes")
+      .unset_by_default("always there");
+  o.real(key + "until", plate.condition.until, "s", any_number(), "when the plate goes")
+      .unset_by_default("always there");
+  declare_slide(o, key, grid.dim, plate);
 }
 
 }  // namespace

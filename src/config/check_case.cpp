@@ -43,15 +43,19 @@ void check_covered(const Box& box, int axis, bool upper, const std::vector<Segme
   }
 }
 
+void check_times(const std::string& key, double time, const std::string& earlier_key, double earlier) {
+  if (!(earlier < time))
+    throw InputError(key, number_text(time) + " s",
+                     "a time after " + earlier_key + " = " + number_text(earlier) + " s");
+}
+
 void check_boundaries(const Case& the_case) {
   const Box& box = the_case.box;
   for (const Segment& segment : the_case.segments) {
     const std::string key = "boundary_" + segment.condition.name;
     if (box.periodic[segment.axis])
       throw InputError(key + "_side", side_name(segment.axis, segment.upper), "a side of an axis that is not periodic");
-    if (!(segment.condition.from < segment.condition.until))
-      throw InputError(key + "_until", number_text(segment.condition.until) + " s",
-                       "a time after " + key + "_from = " + number_text(segment.condition.from) + " s");
+    check_times(key + "_until", segment.condition.until, key + "_from", segment.condition.from);
   }
   for (int axis = 0; axis < box.dim; ++axis) {
     for (const bool upper : {false, true}) {
@@ -72,6 +76,11 @@ void check_plates(const Case& the_case) {
     if (plate.condition.velocity[plate.axis] != 0)
       throw InputError(key + "velocity", point_text(plate.condition.velocity, the_case.box.dim),
                        "a velocity in the plane of the plate");
+    check_times(key + "until", plate.condition.until, key + "from", plate.condition.from);
+    if (!plate.slides()) continue;
+    check_times(key + "slide_until", plate.slide_until, key + "slide_from", plate.slide_from);
+    if (plate.slide_axis == plate.axis)
+      throw InputError(key + "slide_axis", axis_names[plate.axis], "an axis in the plane of the plate");
   }
 }
 

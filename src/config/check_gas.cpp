@@ -27,22 +27,40 @@ void check_ramp(const std::string& key, const Ramp& ramp) {
                      "ascending numbers, but " + number_text(wrong[1]) + " follows " + number_text(wrong[0]));
 }
 
+void check_variation(const std::string& key, const Segment& segment, const InletVariation& variation) {
+  check_ramp(key + "profile_", variation.profile);
+  check_ramp(key + "history_", variation.history);
+  if (!variation.profile.at.empty() && variation.axis == segment.axis)
+    throw InputError(key + "profile_axis", axis_names[segment.axis],
+                     "an axis along the side " + side_name(segment.axis, segment.upper) + ", not the one normal to it");
+}
+
 void check_condition(const Case& the_case, const Segment& segment) {
   const Condition& condition = segment.condition;
   const std::string key = "boundary_" + condition.name + "_";
   if (condition.kind.brings_gas() && !condition.kind.brings_solids() && the_case.gas.model == GasModel::none)
     throw InputError(key + "kind", std::string(condition.kind.name),
                      "gas darcy or incompressible with this kind, but gas is none");
-  check_ramp(key + "gas_profile_", condition.gas_profile);
-  check_ramp(key + "gas_history_", condition.gas_history);
-  if (!condition.gas_profile.at.empty() && condition.gas_profile_axis == segment.axis)
-    throw InputError(key + "gas_profile_axis", axis_names[segment.axis],
-                     "an axis along the side " + side_name(segment.axis, segment.upper) + ", not the one normal to it");
+  check_variation(key, segment, condition.variation);
+  check_variation(key + "gas_", segment, condition.gas_variation);
+}
+
+/// Along other axes sides decide.
+void check_periodic(const Case& the_case, const std::string& key, const std::string& unit,
+                    const std::array<double, max_dim>& values) {
+  for (int axis = 0; axis < the_case.box.dim; ++axis)
+    if (values[axis] != 0 && !the_case.box.periodic[axis])
+      throw InputError(key, number_text(values[axis]) + " " + unit + " along " + axis_names[axis],
+                       std::string("0 along ") + axis_names[axis] + ", or periodic " + axis_names[axis]);
 }
 
 }  // namespace
 
 void check_gas(const Case& the_case) {
+  if (the_case.gas.model != GasModel::none) {
+    check_periodic(the_case, "mean_pressure_gradient", "Pa/m", the_case.model.mean_pressure_gradient);
+    check_periodic(the_case, "mean_gas_velocity", "m/s", the_case.gas_flow.velocity);
+  }
   for (const Segment& segment : the_case.segments) check_condition(the_case, segment);
 }
 

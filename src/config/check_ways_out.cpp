@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "scree/config/case_options.hpp"
@@ -17,22 +18,35 @@ struct Exposed {
 bool brings_gas_at(const Segment& segment, double time) {
   const Condition& condition = segment.condition;
   if (!condition.kind.brings_gas()) return false;
-  const std::vector<double>& factors = condition.gas_profile.factor;
+  const std::vector<double>& factors = condition.gas_variation.profile.factor;
   const bool profile =
       factors.empty() || std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; });
-  return profile && condition.gas_velocity != 0 && condition.gas_history.value(time) != 0;
+  return profile && condition.gas_velocity != 0 && condition.gas_variation.in_time(time) != 0;
 }
 
-/// Volume of particles that comes in, an area and a time; negative for what is taken out [m/s].
-double particle_inflow(const Segment& segment) {
+/// Mean over the patch of a profile.
+double mean_of(const InletVariation& variation) {
+  if (variation.profile.at.empty()) return 1;
+  constexpr int samples = 1000;
+  const double lower = variation.lower[variation.axis], width = variation.upper[variation.axis] - lower;
+  double sum = 0;
+  for (int i = 0; i < samples; ++i) sum += variation.profile.value(lower + (i + 0.5) / samples * width);
+  return sum / samples;
+}
+
+/// Volume of particles that comes in at a time, an area and a time; negative for what is taken out [m/s].
+double particle_inflow(const Segment& segment, double time) {
   const Condition& condition = segment.condition;
   if (!condition.kind.brings_solids()) return 0;
-  return condition.brought(SolidsContinuity::unknown) * condition.velocity[segment.axis] * (segment.upper ? -1 : 1);
+  return condition.brought(SolidsContinuity::unknown) * condition.velocity[segment.axis] * (segment.upper ? -1 : 1) *
+         mean_of(condition.variation) * condition.variation.in_time(time);
 }
 
-/// Adds the times of a history, and those at which it passes zero, so that in between it is zero always or never.
-void add_cuts(const Ramp& history, std::set<double>& cuts) {
-  const auto& [at, factor] = history;
+/// Adds the times of a history, and those at which it passes zero, so that in between it is zero always or never, and
+/// has its mean in the middle.
+void add_cuts(const InletVariation& variation, std::set<double>& cuts) {
+  const auto& [at, factor] = variation.history;
+  if (variation.rise_time > 0) cuts.insert({variation.begin, variation.begin + variation.rise_time});
   cuts.insert(at.begin(), at.end());
   for (std::size_t i = 1; i < at.size(); ++i) {
     if (factor[i - 1] * factor[i] < 0)
@@ -57,26 +71,77 @@ std::vector<Patch> boxes_of(const std::vector<InitialRegion>& regions) {
   return boxes;
 }
 
-/// The connected parts of the box, and what bounds each in time.
+/// A plate that slides, with edges on the grid planes at which it opens and closes faces.
+Plate on_planes(Plate plate, const Box& box) {
+  const std::vector<double>& faces = box.faces[plate.slide_axis];
+  const auto nearest = [&](double edge) {
+    double plane = faces.front();
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (0.5 * (faces[i - 1] + faces[i]) < edge) plane = faces[i];
+    return plane;
+  };
+  std::vector<Patch*> patches{&plate.span};
+  for (Patch& opening : plate.openings) patches.push_back(&opening);
+  for (Patch* patch : patches) {
+    patch->lower[plate.slide_axis] = nearest(patch->lower[plate.slide_axis]);
+    patch->upper[plate.slide_axis] = nearest(patch->upper[plate.slide_axis]);
+  }
+  return plate;
+}
+
+std::vector<Plate> plates_at(const Case& the_case, double time) {
+  std::vector<Plate> plates;
+  for (const Plate& plate : the_case.plates) {
+    if (!plate.present(time)) continue;
+    plates.push_back(plate.slides() ? on_planes(plate.at(time), the_case.box) : plate);
+  }
+  return plates;
+}
+
+/// Whether plates come, go or slide.
+bool plates_change(const Case& the_case) {
+  return std::any_of(the_case.plates.begin(), the_case.plates.end(), [](const Plate& plate) {
+    return plate.slides() || std::isfinite(plate.condition.from) || std::isfinite(plate.condition.until);
+  });
+}
+
+/// Times between which nothing comes, goes or turns.
+std::set<double> cuts_of(const Case& the_case) {
+  std::set<double> cuts{0.0, the_case.time.end_time > 0 ? the_case.time.end_time : 1.0};
+  for (const Segment& segment : the_case.segments) {
+    cuts.insert({segment.condition.from, segment.condition.until});
+    add_cuts(segment.condition.variation, cuts);
+    add_cuts(segment.condition.gas_variation, cuts);
+  }
+  for (const Plate& plate : the_case.plates) {
+    const std::vector<double>& faces = the_case.box.faces[plate.slide_axis];
+    std::vector<double> centres;
+    for (std::size_t i = 1; i < faces.size(); ++i) centres.push_back(0.5 * (faces[i - 1] + faces[i]));
+    const std::vector<double> events = plate.events(centres);
+    cuts.insert(events.begin(), events.end());
+  }
+  return cuts;
+}
+
+std::vector<double> times_of(const Case& the_case) {
+  return middles(cuts_of(the_case), 0.0, the_case.time.end_time > 0 ? the_case.time.end_time : 1.0);
+}
+
+/// The connected parts of the box with some plates, and what bounds each in time.
 class WaysOut {
  public:
-  explicit WaysOut(const Case& the_case)
-      : case_(the_case), parts_(the_case.box, the_case.segments, the_case.plates, boxes_of(the_case.initial)) {
+  WaysOut(const Case& the_case, const std::vector<Plate>& plates)
+      : case_(the_case), parts_(the_case.box, the_case.segments, plates, boxes_of(the_case.initial)) {
     for (int axis = 0; axis < the_case.box.dim; ++axis) {
       for (const bool upper : {false, true}) sides_[axis][upper] = segments_of_side(the_case.segments, axis, upper);
-    }
-    cuts_ = {0.0, the_case.time.end_time > 0 ? the_case.time.end_time : 1.0};
-    for (const Segment& segment : the_case.segments) {
-      cuts_.insert({segment.condition.from, segment.condition.until});
-      add_cuts(segment.condition.gas_history, cuts_);
     }
     for (const Block& block : parts_.blocks())
       if (block.part >= static_cast<int>(places_.size())) places_.push_back(block.centre);
   }
 
   /// Gas cannot be compressed: a part into which gas or particles come needs an open side at all times.
-  void check_gas() const {
-    for (const double time : times()) {
+  void check_gas(const std::vector<double>& times) const {
+    for (const double time : times) {
       for (int part = 0; part < parts_.count(); ++part) {
         const std::vector<Exposed> bounds = bounds_of(part, time);
         if (has_side(bounds, &BoundaryKind::open_to_gas)) continue;
@@ -86,7 +151,7 @@ class WaysOut {
           const std::string key = "boundary_" + segment->condition.name + "_";
           if (brings_gas_at(*segment, time))
             throw InputError(key + "gas_velocity", number_text(segment->condition.gas_velocity) + " m/s", expected);
-          if (particle_inflow(*segment) != 0) throw velocity_error(*segment, expected);
+          if (particle_inflow(*segment, time) != 0) throw velocity_error(*segment, expected);
         }
       }
     }
@@ -94,20 +159,21 @@ class WaysOut {
 
   /// Without gas: particles fill a part that never lets them out; they have to find room until the end.
   void check_room() const {
+    const std::set<double> cuts = cuts_of(case_);
+    const std::vector<double> middle = times_of(case_);
     for (int part = 0; part < parts_.count(); ++part) {
-      const std::vector<double> middle = times();
       const Segment* inlet = nullptr;
       double inflow = 0;
       bool open = false;
-      std::set<double>::const_iterator cut = cuts_.lower_bound(0.0);
+      std::set<double>::const_iterator cut = cuts.lower_bound(0.0);
       for (const double time : middle) {
         const double duration = 2 * (time - *cut);
         ++cut;
         const std::vector<Exposed> bounds = bounds_of(part, time);
         open = open || has_side(bounds, &BoundaryKind::lets_solids_out);
         for (const auto& [segment, area] : bounds) {
-          inflow += particle_inflow(*segment) * area * duration;
-          if (particle_inflow(*segment) > 0) inlet = segment;
+          inflow += particle_inflow(*segment, time) * area * duration;
+          if (particle_inflow(*segment, time) > 0) inlet = segment;
         }
       }
       const double room = room_in(part);
@@ -120,8 +186,6 @@ class WaysOut {
   }
 
  private:
-  std::vector<double> times() const { return middles(cuts_, 0.0, case_.time.end_time > 0 ? case_.time.end_time : 1.0); }
-
   std::vector<Exposed> bounds_of(int part, double time) const {
     std::vector<Exposed> found;
     for (const SideFace& face : parts_.side_faces()) {
@@ -162,18 +226,21 @@ class WaysOut {
   const Case& case_;
   const ConnectedParts parts_;
   std::array<std::array<std::vector<Segment>, 2>, max_dim> sides_;
-  std::set<double> cuts_;
   std::vector<std::array<double, max_dim>> places_;  ///< one in each part
 };
 
 }  // namespace
 
 void check_ways_out(const Case& the_case) {
-  const WaysOut ways(the_case);
-  if (the_case.gas.model != GasModel::none)
-    ways.check_gas();
-  else if (the_case.model.solids_moving && the_case.time.end_time > 0)
-    ways.check_room();
+  if (the_case.gas.model == GasModel::none) {
+    // Particles in parts that open later find their way then.
+    if (the_case.model.solids_moving && the_case.time.end_time > 0 && !plates_change(the_case))
+      WaysOut(the_case, the_case.plates).check_room();
+  } else if (!plates_change(the_case)) {
+    WaysOut(the_case, the_case.plates).check_gas(times_of(the_case));
+  } else {
+    for (const double time : times_of(the_case)) WaysOut(the_case, plates_at(the_case, time)).check_gas({time});
+  }
 }
 
 }  // namespace scree

@@ -3,67 +3,31 @@
 namespace scree {
 namespace {
 
-/// Whether an option has a use, and if not, why.
-struct Use {
-  bool used;
-  std::string otherwise;
-};
-
-Use use_of_inflow(const Case& the_case, const Condition& condition) {
+OptionUse use_of_inflow(const Case& the_case, const Condition& condition) {
   if (the_case.gas.model == GasModel::none) return {false, "gas is none"};
   return {condition.kind.brings_gas(), "its kind is neither inlet nor gas_inlet"};
 }
 
-Use use_of_pressure(const Case& the_case, const Condition& condition) {
+OptionUse use_of_pressure(const Case& the_case, const Condition& condition) {
   if (the_case.gas.model == GasModel::none) return {false, "gas is none"};
   return {condition.kind.gas_pressure == GasPressure::prescribed, "its kind is not open"};
 }
 
-Use use_of_entry(const Case& the_case, const Condition& condition) {
+OptionUse use_of_entry(const Case& the_case, const Condition& condition) {
   if (the_case.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
   return {condition.kind.open_to_gas(), "its kind is not open"};
 }
 
-Use use_of_wall(const Case& the_case, const Condition& condition) {
+OptionUse use_of_wall(const Case& the_case, const Condition& condition) {
   if (the_case.gas.model != GasModel::incompressible) return {false, "gas is not incompressible"};
   if (!the_case.model.gas_viscous_stress) return {false, "gas_viscous_stress is no"};
   return {condition.kind.gas_tangential == GasTangential::wall, "its kind is not a wall"};
 }
 
-void declare_profile(OptionSet& o, const std::string& key, int dim, const Use& use, Segment& segment) {
-  Condition& condition = segment.condition;
-  const OptionEntry& at = o.reals(key + "gas_profile_at", condition.gas_profile.at, {0, false, "ascending"}, "m",
-                                  any_number(), "coordinates along the side at which gas_profile_factor holds")
-                              .unset_by_default("none: uniform")
-                              .used_if(use.used, use.otherwise);
-  if (at.given && dim == 1) throw InputError(at.key, at.value, "no coordinates: a side is a point in one dimension");
-  o.reals(key + "gas_profile_factor", condition.gas_profile.factor, {0, false, "one per gas_profile_at"}, "-",
-          any_number(), "factors on gas_velocity there, linear in between and constant beyond")
-      .unset_by_default("none: 1")
-      .used_if(use.used, use.otherwise);
-  condition.gas_profile_axis = segment.axis == 0 && dim > 1 ? 1 : 0;
-  o.choice(key + "gas_profile_axis", condition.gas_profile_axis, axis_choices(o, dim),
-           "axis of the coordinates gas_profile_at, along the side")
-      .default_from("the first axis along the side")
-      .used_if(o.describing() || !condition.gas_profile.at.empty(), "there is no gas_profile_at")
-      .used_if(use.used, use.otherwise);
-}
-
-void declare_history(OptionSet& o, const std::string& key, const Use& use, Ramp& history) {
-  o.reals(key + "gas_history_at", history.at, {0, false, "ascending"}, "s", any_number(),
-          "times at which gas_history_factor holds")
-      .unset_by_default("none: steady")
-      .used_if(use.used, use.otherwise);
-  o.reals(key + "gas_history_factor", history.factor, {0, false, "one per gas_history_at"}, "-", any_number(),
-          "factors on gas_velocity then, linear in between and constant beyond")
-      .unset_by_default("none: 1")
-      .used_if(use.used, use.otherwise);
-}
-
 }  // namespace
 
 void declare_gas_wall(OptionSet& o, const std::string& key, const Case& the_case, Condition& condition) {
-  const Use use = use_of_wall(the_case, condition);
+  const OptionUse use = use_of_wall(the_case, condition);
   o.choice(key + "gas_wall", condition.gas_no_slip, {{"free_slip", false}, {"no_slip", true}},
            "whether the gas slips along the wall or sticks to it")
       .used_if(use.used, use.otherwise);
@@ -71,20 +35,19 @@ void declare_gas_wall(OptionSet& o, const std::string& key, const Case& the_case
 
 void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& the_case, Segment& segment) {
   Condition& condition = segment.condition;
-  const Use inflow = use_of_inflow(the_case, condition), pressure = use_of_pressure(the_case, condition);
+  const OptionUse inflow = use_of_inflow(the_case, condition), pressure = use_of_pressure(the_case, condition);
   OptionEntry& velocity = o.real(key + "gas_velocity", condition.gas_velocity, "m/s", any_number(),
                                  "superficial velocity of the gas that an inlet or gas_inlet brings into the box")
                               .symbol("(1-nu) u")
                               .default_from("0; required for a gas_inlet")
                               .used_if(inflow.used, inflow.otherwise);
   velocity.needed = inflow.used && !condition.kind.brings_solids();
-  declare_profile(o, key, dim, inflow, segment);
-  declare_history(o, key, inflow, condition.gas_history);
+  declare_variation(o, key + "gas_", "gas_velocity", dim, inflow, segment.axis, condition.gas_variation);
   o.real(key + "gas_pressure", condition.gas_pressure, "Pa", any_number(),
          "p_g outside of an open side, over that of still gas there")
       .symbol("p_g")
       .used_if(pressure.used, pressure.otherwise);
-  const Use entry = use_of_entry(the_case, condition);
+  const OptionUse entry = use_of_entry(the_case, condition);
   o.choice(key + "gas_entry", condition.gas_enters_at_rest, {{"at_rest", true}, {"developed", false}},
            "gas that comes in through an open side: at_rest: from still gas outside, at the cost of its dynamic head "
            "rho_g u^2/2; developed: as from a channel that goes on outside")

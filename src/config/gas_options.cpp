@@ -4,7 +4,7 @@
 
 namespace scree {
 
-void declare_gas(OptionSet& o, Case& the_case) {
+void declare_gas(OptionSet& o, int dim, Case& the_case) {
   o.group("gas");
   GasParameters& gas = the_case.gas;
   ModelParameters& model = the_case.model;
@@ -29,6 +29,19 @@ void declare_gas(OptionSet& o, Case& the_case) {
   o.boolean("gas_viscous_stress", model.gas_viscous_stress, "sigma_g of (5) with its viscous part; no: sigma_g = p_g I")
       .symbol("sigma_g")
       .used_if(gas.model == GasModel::incompressible, "gas is not incompressible");
+  o.vector("mean_pressure_gradient", model.mean_pressure_gradient, dim, "Pa/m",
+           "part of grad p_g that drives the gas along periodic axes, where p_g itself is periodic; negative: upwards "
+           "along the axis")
+      .symbol("grad p_g")
+      .used_if(some, absent);
+  HeldGasFlow& flow = the_case.gas_flow;
+  flow.held = o.vector("mean_gas_velocity", flow.velocity, dim, "m/s",
+                       "superficial velocity of the gas, mean over the box, that is held along periodic axes: after "
+                       "each step the mean pressure gradient is adjusted, from mean_pressure_gradient on")
+                  .symbol("(1-nu) u")
+                  .unset_by_default("not held")
+                  .used_if(some, absent)
+                  .given;
   o.real("gas_darcy_solids_fraction", model.darcy_solids_fraction, "-",
          above_zero_below(the_case.kinetic.nu_max, "solids_fraction_max"),
          "gas darcy: drag in voids is that of this solids fraction")

@@ -21,14 +21,27 @@ double on_plane(const Box& box, int axis, double value, const std::string& key) 
                        " m)");
 }
 
-void put_patch(const Box& box, int normal, Patch& patch, const std::string& key) {
+/// Along all axes but `normal` and `free` (-1: none), on which its edges may lie anywhere.
+void put_patch(const Box& box, int normal, Patch& patch, const std::string& key, int free = -1) {
   for (int axis = 0; axis < box.dim; ++axis) {
     if (axis == normal) continue;
-    patch.lower[axis] = on_plane(box, axis, patch.lower[axis], key);
-    patch.upper[axis] = on_plane(box, axis, patch.upper[axis], key);
+    if (axis != free) {
+      patch.lower[axis] = on_plane(box, axis, patch.lower[axis], key);
+      patch.upper[axis] = on_plane(box, axis, patch.upper[axis], key);
+    }
     if (!(patch.lower[axis] < patch.upper[axis]))
       throw InputError(key, number_text(patch.lower[axis]) + ", " + number_text(patch.upper[axis]),
                        std::string("lower below upper along axis ") + axis_names[axis]);
+  }
+}
+
+/// Where and when the inlet is.
+void put_variation(const Box& box, const Segment& segment, InletVariation& variation) {
+  variation.begin = std::isfinite(segment.condition.from) ? segment.condition.from : 0;
+  for (int axis = 0; axis < box.dim; ++axis) {
+    if (axis == segment.axis) continue;
+    variation.lower[axis] = std::max(segment.patch.lower[axis], box.lower(axis));
+    variation.upper[axis] = std::min(segment.patch.upper[axis], box.upper(axis));
   }
 }
 
@@ -46,13 +59,17 @@ void put_region(const Box& box, InitialRegion& region) {
 void put_on_grid(Case& the_case) {
   const Box& box = the_case.box;
   for (InitialRegion& region : the_case.initial) put_region(box, region);
-  for (Segment& segment : the_case.segments)
+  for (Segment& segment : the_case.segments) {
     put_patch(box, segment.axis, segment.patch, "boundary_" + segment.condition.name + "_patch");
+    for (InletVariation* variation : {&segment.condition.variation, &segment.condition.gas_variation})
+      put_variation(box, segment, *variation);
+  }
   for (Plate& plate : the_case.plates) {
     const std::string key = "plate_" + plate.condition.name + "_";
     plate.position = on_plane(box, plate.axis, plate.position, key + "position");
-    put_patch(box, plate.axis, plate.span, key + "span");
-    for (Patch& opening : plate.openings) put_patch(box, plate.axis, opening, key + "openings");
+    const int free = plate.slides() ? plate.slide_axis : -1;
+    put_patch(box, plate.axis, plate.span, key + "span", free);
+    for (Patch& opening : plate.openings) put_patch(box, plate.axis, opening, key + "openings", free);
   }
   for (FluxPlane& flux : the_case.flux_planes) {
     flux.position = on_plane(box, flux.axis, flux.position, "flux_" + flux.name + "_position");

@@ -18,6 +18,9 @@ void declare_files(OptionSet& o, OutputParameters& output) {
   o.real("output_average_from", output.average_from, "s", non_negative(),
          "start of time averages of all fields, which are written beside them as mean_...")
       .unset_by_default("no averages");
+  o.boolean("output_wall_stress", output.wall_stress,
+            "stresses of the particles on walls and plates: walls/... at the times of the fields, with means over time "
+            "from output_average_from on, and the forces on each in monitor.csv");
   o.integer("monitor_every", output.monitor_every, 1,
             "steps between rows of monitor.csv, probes among them; there is one at the times of the fields too");
   o.real("wall_clock_budget", output.wall_clock_budget, "s", non_negative(),

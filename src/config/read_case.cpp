@@ -22,7 +22,7 @@ void declare_all(OptionSet& o, GridInput& grid, Case& the_case) {
   declare_grid(o, grid);
   declare_model(o, grid.dim, the_case.model);
   declare_particles(o, the_case.kinetic, the_case.friction, the_case.wall);
-  declare_gas(o, the_case);
+  declare_gas(o, grid.dim, the_case);
   declare_friction(o, the_case.friction, the_case.model.temperature, the_case.kinetic);
   declare_wall(o, the_case.wall);
   the_case.segments = declare_boundaries(o, grid, the_case);

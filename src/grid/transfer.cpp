@@ -83,7 +83,8 @@ double Transfer::value_in(const Index& cell, const Index& choice, const Parts& p
   for (int axis = 0; axis < from_.dim; ++axis) {
     if (axis == face_axis || !has(axis, cell[axis] - 1) || !has(axis, cell[axis] + 1)) continue;
     const double below = values(cell - unit(axis)), above = values(cell + unit(axis));
-    const double slope = minmod((own - below) / distance(axis, cell[axis]), (above - own) / distance(axis, cell[axis] + 1));
+    const double slope =
+        minmod((own - below) / distance(axis, cell[axis]), (above - own) / distance(axis, cell[axis] + 1));
     change += slope * parts[axis][static_cast<std::size_t>(choice[axis])].offset;
     reach += 0.5 * std::abs(slope) * (from_.faces[axis][cell[axis] + 1] - from_.faces[axis][cell[axis]]);
     least = std::min({least, below, above});

@@ -29,7 +29,8 @@ bool ends_with(const std::string& text, const std::string& end) {
 /// Files that a run was writing when it was killed.
 std::vector<fs::path> leftovers(const fs::path& directory) {
   std::vector<fs::path> files;
-  for (const fs::path& place : {directory, directory / "fields", directory / "checkpoints", directory / "lines"}) {
+  for (const fs::path& place :
+       {directory, directory / "fields", directory / "checkpoints", directory / "lines", directory / "walls"}) {
     if (!fs::is_directory(place)) continue;
     for (const auto& entry : fs::directory_iterator(place)) {
       const std::string name = entry.path().filename().string();
@@ -47,7 +48,7 @@ std::vector<fs::path> files_of_run(const fs::path& directory) {
   for (const char* name : {"monitor.csv", "summary.json", "fields.xdmf"}) {
     if (fs::exists(directory / name)) files.push_back(directory / name);
   }
-  for (const char* name : {"fields", "checkpoints", "lines"}) {
+  for (const char* name : {"fields", "checkpoints", "lines", "walls"}) {
     if (!fs::is_directory(directory / name)) continue;
     for (const auto& entry : fs::directory_iterator(directory / name)) {
       const std::string stem = entry.path().stem().string(), extension = entry.path().extension().string();
@@ -122,7 +123,7 @@ void remove_later_outputs(MPI_Comm comm, const std::string& path, int index) {
   on_first_rank(comm, [&] {
     for (const fs::path& file : files_of_run(path)) {
       const std::string place = file.parent_path().filename().string();
-      if ((place == "fields" || place == "lines") && index_of(file) >= index) fs::remove(file);
+      if ((place == "fields" || place == "lines" || place == "walls") && index_of(file) >= index) fs::remove(file);
     }
   });
 }

@@ -79,7 +79,8 @@ double SavedState::value(const Field& field, Index node) const {
   for (int axis = max_dim - 1; axis >= 0; --axis) {
     const int period = axis < box.dim && box.periodic[axis] ? box.cells(axis) : 0;
     if (period > 0) node[axis] = (node[axis] % period + period) % period;
-    place = place * static_cast<std::size_t>(block.count[axis]) + static_cast<std::size_t>(node[axis] - block.first[axis]);
+    place =
+        place * static_cast<std::size_t>(block.count[axis]) + static_cast<std::size_t>(node[axis] - block.first[axis]);
   }
   return field.scale * values[place * static_cast<std::size_t>(unknowns) + static_cast<std::size_t>(field.component)];
 }

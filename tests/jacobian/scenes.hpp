@@ -74,11 +74,11 @@ inline Condition sample_inlet() {
 inline Condition sample_gas_inlet() {
   Condition inlet = condition(BoundaryKind::gas_inlet);
   inlet.gas_velocity = 0.2;
-  inlet.gas_profile_axis = 1;
-  inlet.gas_profile.at = {1e-3, 4e-3, 7e-3};
-  inlet.gas_profile.factor = {0.3, 1.2, -0.5};
-  inlet.gas_history.at = {0, 2};
-  inlet.gas_history.factor = {0.7, 1.5};
+  inlet.gas_variation.axis = 1;
+  inlet.gas_variation.profile.at = {1e-3, 4e-3, 7e-3};
+  inlet.gas_variation.profile.factor = {0.3, 1.2, -0.5};
+  inlet.gas_variation.history.at = {0, 2};
+  inlet.gas_variation.history.factor = {0.7, 1.5};
   return inlet;
 }
 

@@ -6,6 +6,7 @@
 
 #include "scree/app/measures.hpp"
 #include "scree/app/phase_clock.hpp"
+#include "scree/app/wall_stress.hpp"
 #include "scree/output/checkpoint.hpp"
 #include "scree/output/field_writer.hpp"
 #include "scree/output/output_times.hpp"
@@ -14,6 +15,7 @@
 #include "scree/output/stop_request.hpp"
 #include "scree/output/summary.hpp"
 #include "scree/output/time_average.hpp"
+#include "scree/stepping/flow_control.hpp"
 #include "scree/stepping/preset_trial.hpp"
 #include "scree/stepping/time_stepper.hpp"
 
@@ -58,6 +60,7 @@ class Simulation {
   void start_new();
   void restart();
   void open_outputs(std::optional<double> restart_time);
+  void find_events();
   double next_window() const;
   double next_limit() const;
   void step(StepReport* report);
@@ -71,6 +74,7 @@ class Simulation {
   void account_effort(const StepReport& report);  ///< of a step that was made, or of one that does not work
   void account(const StepReport& report);
   void make_gas_consistent();
+  void hold_gas_flow(const StepReport& report);
   double mass_error() const;
   double gas_volume_error() const;
   void restore_average(const Checkpoint& saved);
@@ -91,8 +95,12 @@ class Simulation {
   std::unique_ptr<LineSampler> lines_;
   std::unique_ptr<MonitorFile> monitor_;
   std::unique_ptr<FieldWriter> fields_;
-  std::unique_ptr<TimeAverage> average_;  ///< if asked for
+  std::unique_ptr<TimeAverage> average_;       ///< if asked for
+  std::unique_ptr<WallStress> walls_;          ///< if asked for
+  std::unique_ptr<WallAverage> wall_average_;  ///< if both are
   std::unique_ptr<StopRequest> stop_;
+  FlowControl flow_;            ///< where the case holds the flow of gas
+  std::vector<double> events_;  ///< starts and ends of time windows, and what plates do [s]
   Totals totals_;
   PresetTrial trial_;
   OutputTimes field_times_, checkpoint_times_;

@@ -16,10 +16,11 @@ struct ModelParameters {
   double temperature_value = 1e-4;   ///< T where the model is `constant` [m2/s2]
   double temperature_floor = 1e-14;  ///< added to T under square roots [m2/s2]
   AdvectionScheme advection = AdvectionScheme::upwind;
-  std::array<double, max_dim> gravity{0, 0, 0};              ///< [m/s2]
-  std::array<double, max_dim> vibration_amplitude{0, 0, 0};  ///< the box moves as this times sin(2 pi f t) [m]
-  double vibration_frequency = 0;                            ///< f [1/s]
-  bool solids_moving = true;                                 ///< false: nu and v are frozen at their initial values
+  std::array<double, max_dim> gravity{0, 0, 0};                 ///< [m/s2]
+  std::array<double, max_dim> mean_pressure_gradient{0, 0, 0};  ///< part of grad p_g beside that of p_g itself [Pa/m]
+  std::array<double, max_dim> vibration_amplitude{0, 0, 0};     ///< the box moves as this times sin(2 pi f t) [m]
+  double vibration_frequency = 0;                               ///< f [1/s]
+  bool solids_moving = true;                                    ///< false: nu and v are frozen at their initial values
   bool gas_alone = false;               ///< T and chi are frozen too: used to make p_g and u consistent with the rest
   bool gas_viscous_stress = false;      ///< sigma_g of (5) in full; false: sigma_g = p_g I
   double darcy_solids_fraction = 1e-3;  ///< gas darcy: drag in voids is that of this solids fraction [-]

@@ -12,7 +12,7 @@ struct Scene : Metrics {
   const Barriers& barriers;
   const ModelParameters& model;
   const SolidsParameters& solids;
-  double time = 0;                               ///< for flows of gas that are given as functions of time [s]
+  double time = 0;                               ///< for inlets that are given as functions of time [s]
   std::array<double, max_dim> gravity{0, 0, 0};  ///< as it is felt in the box, which may vibrate [m/s2]
   NewtonTangent* tangent = nullptr;              ///< of a Jacobian that is not the exact one
 
@@ -38,6 +38,23 @@ struct Scene : Metrics {
   const BoundaryKind& kind(int a, const Index& I) const { return barriers.condition(a, I).kind; }
   bool wall(int a, const Index& I) const { return near && barriers.wall(a, I); }
 };
+
+/// Bounds of the lower `axis` face of I in its plane.
+inline FaceExtent face_extent(const Metrics& grid, int axis, const Index& I) {
+  FaceExtent extent;
+  for (int a = 0; a < grid.lattice.dim; ++a) {
+    if (a == axis) continue;
+    extent.lower[a] = grid.axis(a).face(I[a]);
+    extent.upper[a] = grid.axis(a).face(I[a] + 1);
+  }
+  return extent;
+}
+
+/// Component `component` of the velocity that the condition at the lower `axis` face of I prescribes to the particles
+/// at the time of the scene [m/s].
+inline double prescribed_velocity(const Scene& scene, int component, int axis, const Index& I) {
+  return solids_velocity(scene.condition(axis, I), component, face_extent(scene, axis, I), scene.time);
+}
 
 /// nu at the lower `axis` face of I + at: the mean of its cells, on a side of the box that of the cell inside.
 template <class L, class Q>

@@ -30,7 +30,7 @@ class Barriers {
 
  private:
   void mark_sides(const std::vector<Segment>& segments, double time);
-  void mark_plates(const std::vector<Plate>& plates);
+  void mark_plates(const std::vector<Plate>& plates, double time);
   void mark_neighbourhood();
 
   const Lattice* lattice_;

@@ -39,7 +39,7 @@ struct InitialRegion {
   std::string table;             ///< absolute path of lines "coordinate solids_fraction" along table_axis; empty: none
   Ramp table_values;             ///< what it holds: factor is the solids fraction
   int table_axis = 0;
-  std::string run;  ///< directory of a run whose last state fills the region; empty: none
+  std::string run;                   ///< directory of a run whose last state fills the region; empty: none
   std::vector<InitialValue> values;  ///< of the unknowns that the region gives; the others stay as they are
   std::array<double, max_dim * max_dim>
       velocity_gradient{};  ///< dv_i/dx_j at [3*i + j]; v = velocity + gradient (x - box origin) [1/s]
@@ -70,6 +70,12 @@ struct FluxPlane {
   bool upward = false;  ///< sign: positive along +axis when true, along -axis (discharge) when false
 };
 
+/// The flow of gas along periodic axes, where it is given instead of the pressure gradient.
+struct HeldGasFlow {
+  bool held = false;
+  std::array<double, max_dim> velocity{0, 0, 0};  ///< superficial, mean over the box [m/s]
+};
+
 struct TimeParameters {
   TimeScheme scheme = TimeScheme::beuler;
   double end_time = 1;
@@ -84,6 +90,7 @@ struct OutputParameters {
   std::string directory = "out";
   double field_interval = 0;                                      ///< [s]; 0: only initial and final fields
   double average_from = std::numeric_limits<double>::infinity();  ///< start of time averages [s]; infinite: none
+  bool wall_stress = false;                                       ///< forces and stresses of the particles on walls
   double checkpoint_interval = 0;                                 ///< simulated [s]; 0: only at the end
   double wall_clock_budget = 0;                                   ///< [s]; 0: none
   int monitor_every = 1;                                          ///< steps between rows of monitor.csv
@@ -115,6 +122,7 @@ struct Case {
   KineticParameters kinetic;
   FrictionParameters friction;
   GasParameters gas;
+  HeldGasFlow gas_flow;
   WallParameters wall;  ///< defaults of the segments
   std::vector<Segment> segments;
   std::vector<Plate> plates;

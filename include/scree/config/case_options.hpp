@@ -68,12 +68,21 @@ OptionSet declared(OptionSet options, const Catalogue& catalogue);
 void declare_grid(OptionSet& o, GridInput& grid);
 void declare_model(OptionSet& o, int dim, ModelParameters& model);
 void declare_particles(OptionSet& o, KineticParameters& kinetic, FrictionParameters& friction, WallParameters& wall);
-void declare_gas(OptionSet& o, Case& the_case);
+void declare_gas(OptionSet& o, int dim, Case& the_case);
 void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
                       KineticParameters& kinetic);
 void declare_wall(OptionSet& o, WallParameters& wall);
 std::vector<Segment> declare_boundaries(OptionSet& o, const GridInput& grid, const Case& the_case);
 std::vector<Plate> declare_plates(OptionSet& o, const GridInput& grid, const Case& the_case);
+/// Whether an option has a use, and if not, why.
+struct OptionUse {
+  bool used;
+  std::string otherwise;
+};
+/// How a velocity that an inlet prescribes varies over its patch and in time. `key` is all that comes before
+/// "profile_"; `velocity` the name of the velocity; `normal` the axis of the side.
+void declare_variation(OptionSet& o, const std::string& key, const std::string& velocity, int dim, const OptionUse& use,
+                       int normal, InletVariation& variation);
 /// What a side does to the gas; its kind and axis are known.
 void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& the_case, Segment& segment);
 /// Slip of the gas at a wall or plate; its kind is known.

@@ -34,12 +34,13 @@ class Transfer {
   /// same.
   Parts parts(const std::array<double, max_dim>& lower, const std::array<double, max_dim>& upper, int face_axis) const;
   /// Mean over the parts. For cells and without `weight` it is conservative: cells that share out a cell of `from` have
-  /// together what that has. Bounded by the values about. With `weight` >= 0, a value of the same places, parts count by
-  /// it too.
+  /// together what that has. Bounded by the values about. With `weight` >= 0, a value of the same places, parts count
+  /// by it too.
   double mean(const Parts& parts, int face_axis, const Values& values, const Values& weight = {}) const;
 
  private:
-  double value_in(const Index& cell, const Index& choice, const Parts& parts, int face_axis, const Values& values) const;
+  double value_in(const Index& cell, const Index& choice, const Parts& parts, int face_axis,
+                  const Values& values) const;
   bool has(int axis, int cell) const { return from_.periodic[axis] || (cell >= 0 && cell < from_.cells(axis)); }
   double distance(int axis, int cell) const;  ///< from the centre of the cell before to that of `cell` [m]
 

@@ -9,11 +9,8 @@ namespace scree {
 
 /// Superficial velocity along +axis that the condition at the lower `axis` face of I, on a side, lets in [m/s].
 inline double given_gas_flux(const Scene& scene, int axis, const Index& I) {
-  const bool above = box_above(scene, axis, I);
-  const Index cell = above ? I : I - unit(axis);
-  std::array<double, max_dim> place{};
-  for (int a = 0; a < scene.lattice.dim; ++a) place[a] = scene.axis(a).centre(cell[a]);
-  return (above ? 1 : -1) * gas_inflow(scene.condition(axis, I), place, scene.time);
+  const double inflow = gas_inflow(scene.condition(axis, I), face_extent(scene, axis, I), scene.time);
+  return box_above(scene, axis, I) ? inflow : -inflow;
 }
 
 /// Adds the inputs of gas_flux for the lower `axis` face of anchor + at.

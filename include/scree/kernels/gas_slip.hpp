@@ -12,7 +12,8 @@ namespace scree {
 // ---- the gradient of p_g ----
 
 /// d p_g/d axis at the lower `axis` face of I + at [Pa/m]: 0 across walls and inlets, where no balance asks for it;
-/// towards the pressure outside at an open side.
+/// towards the pressure outside at an open side. Along periodic axes the given mean gradient comes on top of that of
+/// p_g, which is periodic.
 template <class L, class Q>
 [[gnu::always_inline]] inline auto pressure_gradient(const Scene& scene, const Index& I, const Q& q, int axis,
                                                      const Index& at) {
@@ -26,7 +27,8 @@ template <class L, class Q>
                ? difference_to_side(scene, axis, face, Number(outside), q(L::p, at))
                : difference_to_side(scene, axis, face, q(L::p, at - unit(axis)), Number(outside));
   }
-  return difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at));
+  return Number(scene.model.mean_pressure_gradient[axis] +
+                difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at)));
 }
 
 /// Inputs of pressure_gradient_squared at the lower `axis` face of anchor + at.

@@ -23,8 +23,10 @@ struct ParticlePhase {
   }
   static bool stops(const BoundaryKind& kind) { return kind.stops_solids(); }
   static bool brings(const BoundaryKind& kind) { return kind.brings_solids(); }
-  /// Component `axis` of the velocity with which `condition` lets the phase in.
-  static double brought(const Condition& condition, int axis) { return condition.velocity[axis]; }
+  /// Component `axis` of the velocity with which the lower `across` face of I lets the phase in.
+  static double brought(const Scene& scene, int axis, int across, const Index& I) {
+    return prescribed_velocity(scene, axis, across, I);
+  }
   static constexpr bool enters_from_rest = false;  // particles fall in as they fell before
 };
 
@@ -45,8 +47,8 @@ struct GasPhase {
   }
   static bool stops(const BoundaryKind& kind) { return kind.stops_gas(); }
   static bool brings(const BoundaryKind& kind) { return kind.brings_gas(); }
-  static double brought(const Condition&, int) { return 0; }  // inlets blow straight in
-  static constexpr bool enters_from_rest = true;              // through open sides, from still gas outside
+  static double brought(const Scene&, int, int, const Index&) { return 0; }  // inlets blow straight in
+  static constexpr bool enters_from_rest = true;  // through open sides, from still gas outside
 };
 
 /// Momentum `axis` carried along the same axis. Anchor I: the centre of cell I, between its two `axis` faces.
@@ -195,7 +197,7 @@ struct CrossMomentumFlux {
       const Number F = Phase::flux(scene, I, q, across, at);
       const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
       if (!inflow || !Phase::brings(condition.kind)) return Number(0.0);
-      return Number(F * (Phase::brought(condition, axis) - own));
+      return Number(F * (Phase::brought(scene, axis, across, I + at) - own));
     };
     return face_mean(scene, axis, I, half(-1 * a), half({}));
   }

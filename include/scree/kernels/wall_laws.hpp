@@ -38,22 +38,46 @@ struct WallLaws {
   static void evaluate(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
                        std::array<Number, count>& r) {
     const auto strain = cell_strain<L>(scene, I, q);
-    const auto closures =
-        cell_closures<L, CellClosure::viscosity, CellClosure::frictional_pressure, CellClosure::frictional_viscosity,
-                      CellClosure::temperature, CellClosure::sqrt_temperature>(scene, I, q, strain);
+    const auto closures = closures_at(scene, I, q, strain);
     for (int axis = 0; axis < L::dim; ++axis)
-      for (int side = 0; side < 2; ++side) {
-        const Index face = I + side * unit(axis);
-        if (!acts(scene, axis, face)) continue;
-        const Condition& wall = scene.condition(axis, face);
-        if (wall.kind.solids_tangential == SolidsTangential::no_slip)
-          no_slip(scene, I, q, axis, end_of(side), strain, wall, r);
-        else
-          johnson_jackson(scene, I, q, axis, end_of(side), strain, closures, wall, r);
-      }
+      for (int side = 0; side < 2; ++side)
+        if (acts(scene, axis, I + side * unit(axis))) one_wall(scene, I, q, axis, end_of(side), strain, closures, r);
+  }
+
+  /// Shear along each axis, in the lower and upper half of the cell along it.
+  using HalfShear = std::array<std::array<double, 2>, max_dim>;
+
+  /// By what stress the particles of cell I drag a wall at its end along `axis` along with them, as the balances have
+  /// it [Pa]; 0 where there is no wall, or one without shear.
+  static HalfShear wall_shear(const Scene& scene, const Index& I, const Local<WallLaws, double>& q, int axis, End end) {
+    HalfShear shear{};
+    if (!acts(scene, axis, I + (end == End::lower ? 0 : 1) * unit(axis))) return shear;
+    const auto strain = cell_strain<L>(scene, I, q);
+    std::array<double, static_cast<std::size_t>(row_count)> r{};
+    one_wall(scene, I, q, axis, end, strain, closures_at(scene, I, q, strain), r);
+    for (int t = 0; t < L::dim; ++t)
+      for (int side = 0; side < 2 && t != axis; ++side)
+        shear[t][side] = scene.cell_length(axis, I) / share_of_cell(scene, t, I, side) * r[2 * t + side];
+    return shear;
   }
 
  private:
+  template <class Q, class Strain>
+  static auto closures_at(const Scene& scene, const Index& I, const Q& q, const Strain& strain) {
+    return cell_closures<L, CellClosure::viscosity, CellClosure::frictional_pressure, CellClosure::frictional_viscosity,
+                         CellClosure::temperature, CellClosure::sqrt_temperature>(scene, I, q, strain);
+  }
+
+  template <class Number, class Strain, std::size_t count>
+  static void one_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
+                       const Strain& strain, const std::array<Number, 5>& closures, std::array<Number, count>& r) {
+    const Condition& wall = scene.condition(axis, I + (end == End::lower ? 0 : 1) * unit(axis));
+    if (wall.kind.solids_tangential == SolidsTangential::no_slip)
+      no_slip(scene, I, q, axis, end, strain, wall, r);
+    else
+      johnson_jackson(scene, I, q, axis, end, strain, closures, wall, r);
+  }
+
   static bool acts(const Scene& scene, int axis, const Index& face) {
     return scene.barrier(axis, face) && scene.kind(axis, face).shears_solids();
   }

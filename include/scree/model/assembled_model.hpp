@@ -46,6 +46,10 @@ class AssembledModel final : public Model {
     return (assembly_.balance[setup_.lattice.ghosted(I)] >> component & 1) != 0;
   }
 
+  void set_mean_pressure_gradient(const std::array<double, max_dim>& gradient) override {
+    setup_.model.mean_pressure_gradient = gradient;
+  }
+
   void residual(double time, const double* state, const double* rate, double* residual) const override {
     const Scene scene = assembly_.scene.at(time);
     std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
@@ -163,6 +167,47 @@ class AssembledModel final : public Model {
       flux = scree::solids_flux<L, SecondOrder>(assembly_.scene, I, q, axis, {});
     });
     return flux;
+  }
+
+  /// What the balance of v has at the end of the half of a cell that lies before the wall: the stress in the middle of
+  /// the cell, what the particles bring along, the weight of that half, and what walls beside it take.
+  std::array<double, max_dim> wall_traction(double time, const double* state, int axis, const Index& I,
+                                            End cells) const override {
+    const Scene scene = assembly_.scene.at(time);
+    const bool above = cells == End::upper;
+    const Index cell = above ? I : I - unit(axis);
+    const int side = above ? 0 : 1;
+    std::array<double, max_dim> traction{};
+    Local<CellBalances<L>, double> q;
+    assembly_.gather(state, cell, q);
+    const auto strain = cell_strain<L>(scene, cell, q);
+    const auto closures = cell_closures<L, CellClosure::pressure, CellClosure::viscosity>(scene, cell, q, strain);
+    const double rho = setup_.solids.kinetic.rho_s - (L::has_gas ? setup_.solids.gas.rho_g : 0);
+    const double weight =
+        SolidsMomentum::weight(rho, scene.gravity[axis], q(L::nu)) * scene.distance_to_face(axis, cell);
+    static_for<L::dim>([&](auto a) {
+      if (a() != axis) return;
+      using Kernel = NormalMomentumFlux<Particles, a()>;
+      Local<Kernel, double> carrier;
+      assembly_.gather(state, cell, carrier);
+      std::array<double, 2> r{};
+      Kernel::evaluate(scene, cell, carrier, r);
+      const double carried = r[side] * scene.control_length(axis, I);
+      const double stress = SolidsMomentum::normal_stress(closures[0], closures[1], strain.S(axis));
+      traction[axis] = weight + (above ? -stress - carried : stress - carried);
+    });
+    Local<WallLaws<L>, double> at_wall;
+    assembly_.gather(state, cell, at_wall);
+    const auto shear = WallLaws<L>::wall_shear(scene, cell, at_wall, axis, end_of(side));
+    for (int t = 0; t < L::dim; ++t) {
+      if (t == axis) continue;
+      traction[t] = 0.5 * (shear[t][0] + shear[t][1]);
+      for (const End end : {End::lower, End::upper}) {  // walls beside it hold a part of the half of the cell
+        const auto beside = WallLaws<L>::wall_shear(scene, cell, at_wall, t, end);
+        traction[axis] -= beside[axis][side] * scene.distance_to_face(axis, cell) / scene.cell_length(t, cell);
+      }
+    }
+    return traction;
   }
 
   double gas_flux(double time, const double* state, int axis, const Index& I) const override {
@@ -323,7 +368,7 @@ class AssembledModel final : public Model {
     }
     const Condition& condition = setup_.barriers.condition(axis, I);
     if (condition.kind.solids_normal != SolidsNormal::zero)
-      result.value = condition.velocity[axis] / assembly_.scale[component];
+      result.value = prescribed_velocity(scene, axis, axis, I) / assembly_.scale[component];
     return result;
   }
 

@@ -11,7 +11,7 @@
 #include "scree/assembly/newton_tangent.hpp"
 #include "scree/assembly/parameters.hpp"
 #include "scree/boundary/barriers.hpp"
-#include "scree/grid/lattice.hpp"
+#include "scree/grid/metrics.hpp"
 #include "scree/grid/unknown.hpp"
 
 namespace scree {
@@ -37,6 +37,8 @@ class Model {
 
   /// Newton's method begins anew, with this tangent: see assembly/newton_tangent.hpp.
   virtual void begin_newton(TangentKind tangent) const = 0;
+  /// Changes what ModelParameters gave [Pa/m].
+  virtual void set_mean_pressure_gradient(const std::array<double, max_dim>& gradient) = 0;
 
   /// The residual of (1) at an owned cell is rate - divergence in units of 1/time scale; this is that factor.
   virtual double continuity_scale() const = 0;
@@ -44,6 +46,10 @@ class Model {
   virtual double solids_flux(const double* state, int axis, const Index& I) const = 0;
   /// Volume flux of gas (1-nu) u there at `time`, on which inlets depend [m/s]; 0 without gas.
   virtual double gas_flux(double time, const double* state, int axis, const Index& I) const = 0;
+  /// Force of the particles in one of the two cells at the lower `axis` face of I, a wall, on an area of it at `time`
+  /// [Pa]: pressure and impact along the axis, shear along the others. `cells`: whether the upper or the lower cell.
+  virtual std::array<double, max_dim> wall_traction(double time, const double* state, int axis, const Index& I,
+                                                    End cells) const = 0;
   /// Sets u on sides and plates to what their conditions say at `time` for the nu of `state`; `owned` is the same state
   /// without ghosts.
   virtual void impose_gas(double time, const double* state, double* owned) const = 0;

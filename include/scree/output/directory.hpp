@@ -14,7 +14,7 @@ namespace scree {
 /// Throws std::runtime_error of one line on all ranks; nothing has been changed or removed then.
 void prepare_directory(MPI_Comm comm, const std::string& path, const std::string& restart, bool overwrite);
 
-/// Collective. Removes fields and lines of `index` and later from the output directory `path`.
+/// Collective. Removes fields, lines and walls of `index` and later from the output directory `path`.
 /// Throws std::runtime_error of one line on all ranks.
 void remove_later_outputs(MPI_Comm comm, const std::string& path, int index);
 

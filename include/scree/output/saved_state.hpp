@@ -11,14 +11,14 @@
 namespace scree {
 
 struct SavedState {
-  std::string file;           ///< the checkpoint that it comes from
-  std::string remark;         ///< empty, or one line for the log: which newer file was damaged, and how
-  double time = 0;            ///< [s]
-  Box box;                    ///< of that run
-  std::vector<Field> fields;  ///< dataset, component, face_axis, scale and unit; no unknown of ours
-  int unknowns = 0;           ///< a node
-  NodeBlock block;            ///< nodes whose values this rank holds
-  std::vector<double> values; ///< stored values of the block, interlaced
+  std::string file;            ///< the checkpoint that it comes from
+  std::string remark;          ///< empty, or one line for the log: which newer file was damaged, and how
+  double time = 0;             ///< [s]
+  Box box;                     ///< of that run
+  std::vector<Field> fields;   ///< dataset, component, face_axis, scale and unit; no unknown of ours
+  int unknowns = 0;            ///< a node
+  NodeBlock block;             ///< nodes whose values this rank holds
+  std::vector<double> values;  ///< stored values of the block, interlaced
 
   const Field* find(const std::string& dataset, int face_axis) const;  ///< nullptr: that run has no such field
   /// The SI value of a field at a node of the block; along a periodic axis nodes beyond an end are those at the other.

@@ -37,6 +37,12 @@ class DiscreteProblem {
   /// Conditions at `time`: the model and, since constraints may move, the matrix are made anew.
   PetscErrorCode update_conditions(double time);
 
+  /// The constant part of grad p_g along periodic axes, from now on [Pa/m].
+  void set_mean_pressure_gradient(const std::array<double, max_dim>& gradient) {
+    setup_.model.mean_pressure_gradient = gradient;
+    model_->set_mean_pressure_gradient(gradient);
+  }
+
   const ProblemSetup& setup() const { return setup_; }
   const Box& box() const { return setup_.box; }
   const Lattice& lattice() const { return *lattice_; }

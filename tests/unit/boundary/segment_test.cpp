@@ -6,6 +6,9 @@
 namespace scree {
 namespace {
 
+/// A face without extent.
+FaceExtent at_point(const std::array<double, max_dim>& point) { return {point, point}; }
+
 TEST(Ramp, WithoutPointsIsOne) {
   for (const double x : {-1e9, 0.0, 3.0}) EXPECT_EQ(Ramp().value(x), 1) << "at " << x;
 }
@@ -34,17 +37,17 @@ TEST(GasInflow, IsVelocityTimesProfileTimesHistory) {
   Condition inlet;
   inlet.kind = BoundaryKind::gas_inlet;
   inlet.gas_velocity = 2;
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 8, 9}, 5), 2) << "without profile and history";
-  inlet.gas_profile = {{0, 1}, {1, 3}};
-  inlet.gas_profile_axis = 1;
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 0.25, 9}, 5), 2 * 1.5) << "the profile is along y";
-  inlet.gas_profile_axis = 2;
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 0.25, 0.5}, 5), 2 * 2) << "the profile is along z";
-  inlet.gas_history = {{0, 10}, {0, 1}};
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 0.25, 0.5}, 5), 2 * 2 * 0.5);
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 0.25, 0.5}, -1), 0);
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 8, 9}), 5), 2) << "without profile and history";
+  inlet.gas_variation.profile = {{0, 1}, {1, 3}};
+  inlet.gas_variation.axis = 1;
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 0.25, 9}), 5), 2 * 1.5) << "the profile is along y";
+  inlet.gas_variation.axis = 2;
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 0.25, 0.5}), 5), 2 * 2) << "the profile is along z";
+  inlet.gas_variation.history = {{0, 10}, {0, 1}};
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 0.25, 0.5}), 5), 2 * 2 * 0.5);
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 0.25, 0.5}), -1), 0);
   inlet.gas_velocity = -2;
-  EXPECT_DOUBLE_EQ(gas_inflow(inlet, {7, 0.25, 0.5}, 20), -4) << "suction";
+  EXPECT_DOUBLE_EQ(gas_inflow(inlet, at_point({7, 0.25, 0.5}), 20), -4) << "suction";
 }
 
 }  // namespace

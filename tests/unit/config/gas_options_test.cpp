@@ -9,6 +9,9 @@
 namespace scree {
 namespace {
 
+/// A face without extent.
+FaceExtent at_point(const std::array<double, max_dim>& point) { return {point, point}; }
+
 /// The small bin as a bed whose floor brings gas.
 class GasOptions : public Options {
  protected:
@@ -64,7 +67,7 @@ TEST_F(GasOptions, GasInlet) {
   const Case scene = read_case();
   EXPECT_EQ(condition(scene, "floor").kind, BoundaryKind::gas_inlet);
   EXPECT_DOUBLE_EQ(condition(scene, "floor").gas_velocity, 0.22);
-  EXPECT_DOUBLE_EQ(gas_inflow(condition(scene, "floor"), {0.01, 0, 0}, 3), 0.22);
+  EXPECT_DOUBLE_EQ(gas_inflow(condition(scene, "floor"), at_point({0.01, 0, 0}), 3), 0.22);
 }
 
 TEST_F(GasOptions, ProfileAndHistoryOfTheInflow) {
@@ -74,11 +77,11 @@ TEST_F(GasOptions, ProfileAndHistoryOfTheInflow) {
       " gas_history: {at: [0, 200 ms], factor: [1, 0.5]}}}");
   const Case scene = read_case();
   const Condition& floor = condition(scene, "floor");
-  EXPECT_EQ(floor.gas_profile_axis, 0);
-  EXPECT_EQ(floor.gas_profile.at, (std::vector<double>{0, 0.04, 0.08}));
-  EXPECT_EQ(floor.gas_history.at, (std::vector<double>{0, 0.2}));
-  EXPECT_DOUBLE_EQ(gas_inflow(floor, {0.02, 0, 0}, 0.1), 0.22 * 0.75 * 0.75);
-  EXPECT_DOUBLE_EQ(gas_inflow(floor, {0.04, 0, 0}, 9), 0.22 * 1.5 * 0.5);
+  EXPECT_EQ(floor.gas_variation.axis, 0);
+  EXPECT_EQ(floor.gas_variation.profile.at, (std::vector<double>{0, 0.04, 0.08}));
+  EXPECT_EQ(floor.gas_variation.history.at, (std::vector<double>{0, 0.2}));
+  EXPECT_DOUBLE_EQ(gas_inflow(floor, at_point({0.02, 0, 0}), 0.1), 0.22 * 0.75 * 0.75);
+  EXPECT_DOUBLE_EQ(gas_inflow(floor, at_point({0.04, 0, 0}), 9), 0.22 * 1.5 * 0.5);
 }
 
 TEST_F(GasOptions, ProfileAxisIsTheFirstOneAlongTheSide) {
@@ -90,9 +93,9 @@ TEST_F(GasOptions, ProfileAxisIsTheFirstOneAlongTheSide) {
         " gas_profile_factor: [0, 1]}, right: {side: x_upper, kind: open}}");
   };
   box();
-  EXPECT_EQ(condition(read_case(), "left").gas_profile_axis, 1);
+  EXPECT_EQ(condition(read_case(), "left").gas_variation.axis, 1);
   set("boundary_left_gas_profile_axis", "z");
-  EXPECT_EQ(condition(read_case(), "left").gas_profile_axis, 2);
+  EXPECT_EQ(condition(read_case(), "left").gas_variation.axis, 2);
   set("boundary_left_gas_profile_axis", "x");
   const InputError error = error_of_case();
   EXPECT_EQ(error.key, "boundary_left_gas_profile_axis");
@@ -308,10 +311,10 @@ initial: {bed: {gas_velocity: [0, 50 cm/s]}}
   EXPECT_TRUE(second.model.gas_viscous_stress);
   const Condition &before = condition(first, "floor"), &after = condition(second, "floor");
   EXPECT_EQ(after.gas_velocity, before.gas_velocity);
-  EXPECT_EQ(after.gas_profile.at, before.gas_profile.at);
-  EXPECT_EQ(after.gas_profile.factor, before.gas_profile.factor);
-  EXPECT_EQ(after.gas_history.at, before.gas_history.at);
-  EXPECT_EQ(after.gas_history.factor, before.gas_history.factor);
+  EXPECT_EQ(after.gas_variation.profile.at, before.gas_variation.profile.at);
+  EXPECT_EQ(after.gas_variation.profile.factor, before.gas_variation.profile.factor);
+  EXPECT_EQ(after.gas_variation.history.at, before.gas_variation.history.at);
+  EXPECT_EQ(after.gas_variation.history.factor, before.gas_variation.history.factor);
   EXPECT_EQ(condition(second, "top").gas_pressure, 200);
   EXPECT_EQ(condition(second, "x_jet").gas_velocity, 1);
   EXPECT_TRUE(condition(second, "wall").gas_no_slip);

@@ -571,9 +571,9 @@ TEST(GasInlet, LetsInWhatItsConditionSays) {
         Condition inlet = condition(BoundaryKind::gas_inlet);
         const int along = 1 - axis;
         inlet.gas_velocity = 0.4;
-        inlet.gas_profile_axis = along;
-        inlet.gas_profile = {{0, 0.02}, {0, 4}};  // 200/m
-        inlet.gas_history = {{0, 10}, {1, 3}};
+        inlet.gas_variation.axis = along;
+        inlet.gas_variation.profile = {{0, 0.02}, {0, 4}};  // 200/m
+        inlet.gas_variation.history = {{0, 10}, {1, 3}};
         setup.segments.push_back(side(axis, upper, inlet));
         const double time = 2.5, factor = 1.5;
         Evaluation problem(PETSC_COMM_SELF, setup, time);

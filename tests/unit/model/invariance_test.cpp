@@ -86,8 +86,8 @@ ProblemSetup mirrored(ProblemSetup setup, int axis) {
   };
   for (Segment& segment : setup.segments) {
     segment.condition.velocity[axis] *= -1;
-    Ramp& profile = segment.condition.gas_profile;
-    if (segment.condition.gas_profile_axis == axis) {
+    Ramp& profile = segment.condition.gas_variation.profile;
+    if (segment.condition.gas_variation.axis == axis) {
       for (double& x : profile.at) x = old.front() + old.back() - x;
       std::reverse(profile.at.begin(), profile.at.end());
       std::reverse(profile.factor.begin(), profile.factor.end());
@@ -150,7 +150,7 @@ ProblemSetup turned(ProblemSetup setup) {
     segment.axis = (segment.axis + 1) % dim;
     segment.patch = turned(segment.patch, dim);
     segment.condition.velocity = turned(segment.condition.velocity, dim);
-    segment.condition.gas_profile_axis = (segment.condition.gas_profile_axis + 1) % dim;
+    segment.condition.gas_variation.axis = (segment.condition.gas_variation.axis + 1) % dim;
   }
   for (Plate& plate : setup.plates) {
     plate.axis = (plate.axis + 1) % dim;
@@ -214,7 +214,7 @@ TEST(Invariance, ThinSceneIsTheSceneOfLowerDimension) {
           for (const bool upper : {false, true}) thin.segments.push_back(side(dim, upper, condition(kind)));
           for (Segment& segment : thin.segments) {
             if (segment.axis < dim) segment.condition.velocity[dim] = 0;
-            if (segment.condition.gas_profile_axis == dim) segment.condition.gas_profile_axis = 0;
+            if (segment.condition.gas_variation.axis == dim) segment.condition.gas_variation.axis = 0;
           }
           for (Plate& plate : thin.plates) plate.condition.velocity[dim] = 0;
           SCOPED_TRACE(name_of(c) + ", " + scene.name + ", between sides of kind " + std::string(kind.name));

@@ -113,7 +113,7 @@ TEST_F(ConsistentGas, TakesInletsAtTheTimeGiven) {
                                       AdvectionScheme::upwind, gas);
     Condition inlet = condition(BoundaryKind::gas_inlet);
     inlet.gas_velocity = 0.2;
-    inlet.gas_history = {{1, 2, 3}, {1, 3, 3}};
+    inlet.gas_variation.history = {{1, 2, 3}, {1, 3, 3}};
     inlet.from = 1.5;
     setup.segments = {side(0, false, condition(BoundaryKind::symmetry)), side(0, false, inlet),
                       side(0, true, condition(BoundaryKind::open))};
