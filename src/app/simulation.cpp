@@ -61,7 +61,7 @@ SolverPreset Simulation::preset() const {
 int Simulation::fill() const { return case_.solver.preset_given ? 0 : trial_.fill(); }
 
 PetscOptionList Simulation::solver_options() const {
-  return preset_options(preset(), problem_.model().unknowns(), problem_.model().component<GasContinuity>(), fill());
+  return preset_options(preset(), problem_.model().fields(), fill());
 }
 
 void Simulation::print_solver() const {

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
+
+bool acts_in_its_node(const Field& field) {
+  return field.is<GasMomentum>() || field.is<GranularEnergy>() || field.is<FrictionRelaxation>();
+}
 
 std::string component_list(int first, int count) {
   std::string list;
@@ -125,12 +131,24 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   return list;
 }
 
+/// A factor of the core, by MUMPS on whatever ranks. ILU(1) for the rest, most of which is T.
+const PetscOptionList condensed{{"pc_type", "condensed"},
+                                {"condensed_core_pc_type", "lu"},
+                                {"condensed_core_pc_factor_mat_solver_type", "mumps"}};
+
 /// One ILU(2) a rank for all unknowns, p_g among them.
 const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
 
 }  // namespace
 
-PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressure, int fill) {
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill) {
+  const auto unknowns = static_cast<int>(node.size());
+  int gas_pressure = -1;
+  std::string local;
+  for (const Field& field : node) {
+    if (field.is<GasContinuity>()) gas_pressure = field.component;
+    if (acts_in_its_node(field)) local += (local.empty() ? "" : ",") + std::to_string(field.component);
+  }
   PetscOptionList list = newton;
   const bool gas = gas_pressure >= 0;
   const auto append = [&](const PetscOptionList& more) {  // what is there already wins
@@ -154,6 +172,12 @@ PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressu
     case SolverPreset::fieldsplit:
       if (gas) append(gmres("1e-2", "200"));
       append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block_with(fill)) : solids_fieldsplit(unknowns));
+      break;
+    case SolverPreset::condensed:
+      append(gmres("1e-2", "100"));
+      append(condensed);
+      append({{"pc_condensed_eliminated", local}});
+      append(with_prefix("condensed_rest_", ilu_block));
       break;
   }
   return list;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scree/stepping/condensed_preconditioner.hpp"
 #include "scree/stepping/line_search.hpp"
 #include "scree/stepping/orderings.hpp"
 #include "scree/stepping/remainder.hpp"
@@ -36,6 +37,7 @@ PetscErrorCode StageSolver::create(TS ts, const std::string& prefix) {
 PetscErrorCode StageSolver::create_newton() {
   PetscFunctionBeginUser;
   PetscCall(register_orderings());
+  PetscCall(register_condensed_preconditioner());
   PetscCall(SNESDestroy(&newton_));
   PetscCall(SNESCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm())), &newton_));
   PetscCall(SNESSetOptionsPrefix(newton_, prefix_.c_str()));
