@@ -8,10 +8,6 @@ namespace scree {
 
 namespace {
 
-bool acts_in_its_node(const Field& field) {
-  return field.is<GasMomentum>() || field.is<GranularEnergy>() || field.is<FrictionRelaxation>();
-}
-
 std::string component_list(int first, int count) {
   std::string list;
   for (int c = first; c < first + count; ++c) list += (c > first ? "," : "") + std::to_string(c);
@@ -131,10 +127,20 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   return list;
 }
 
-/// A factor of the core, by MUMPS on whatever ranks. ILU(1) for the rest, most of which is T.
-const PetscOptionList condensed{{"pc_type", "condensed"},
-                                {"condensed_core_pc_type", "lu"},
-                                {"condensed_core_pc_factor_mat_solver_type", "mumps"}};
+/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core has
+/// a factor by MUMPS, and in three dimensions, where factors are dear, multigrid.
+PetscOptionList condensed(const std::vector<Field>& node, int dim) {
+  std::string eliminated;
+  for (const Field& field : node)
+    if (field.unknown->acts_in_its_node)
+      eliminated += (eliminated.empty() ? "" : ",") + std::to_string(field.component);
+  PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
+  const PetscOptionList factor{
+      {"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
+  for (const auto& option : with_prefix("condensed_core_", dim < 3 ? factor : multigrid_block)) list.push_back(option);
+  for (const auto& option : with_prefix("condensed_rest_", ilu_block)) list.push_back(option);
+  return list;
+}
 
 /// One ILU(2) a rank for all unknowns, p_g among them.
 const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
@@ -143,11 +149,10 @@ const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat
 
 PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill) {
   const auto unknowns = static_cast<int>(node.size());
-  int gas_pressure = -1;
-  std::string local;
+  int gas_pressure = -1, dim = 0;
   for (const Field& field : node) {
     if (field.is<GasContinuity>()) gas_pressure = field.component;
-    if (acts_in_its_node(field)) local += (local.empty() ? "" : ",") + std::to_string(field.component);
+    dim = std::max(dim, field.face_axis + 1);
   }
   PetscOptionList list = newton;
   const bool gas = gas_pressure >= 0;
@@ -175,9 +180,7 @@ PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& no
       break;
     case SolverPreset::condensed:
       append(gmres("1e-2", "100"));
-      append(condensed);
-      append({{"pc_condensed_eliminated", local}});
-      append(with_prefix("condensed_rest_", ilu_block));
+      append(condensed(node, dim));
       break;
   }
   return list;
