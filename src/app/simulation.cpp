@@ -20,9 +20,16 @@ namespace scree {
 
 namespace {
 
-PresetTrial::Rule trial_rule(const Case& the_case) {
-  if (the_case.gas.model == GasModel::none) return PresetTrial::without_gas;
-  return the_case.friction.model->has_friction ? PresetTrial::with_gas : PresetTrial::with_gas_without_friction;
+double cells_of(const Box& box) {
+  double cells = 1;
+  for (int axis = 0; axis < box.dim; ++axis) cells *= box.cells(axis);
+  return cells;
+}
+
+int ranks_of(MPI_Comm comm) {
+  int ranks;
+  MPI_Comm_size(comm, &ranks);
+  return ranks;
 }
 
 }  // namespace
@@ -43,10 +50,12 @@ Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& 
       problem_(problem_setup(the_case, models)),
       clock_(comm),
       flow_(the_case.model.mean_pressure_gradient),
-      trial_(trial_rule(the_case)) {
+      solver_choice_(solver_candidates(the_case.gas.model != GasModel::none, the_case.box.dim, cells_of(the_case.box),
+                                       ranks_of(comm))) {
   check_petsc(problem_.create(comm, 0), "set-up of the grid");
   stepper_ = std::make_unique<TimeStepper>(problem_, step_control(case_));
   check_petsc(stepper_->create(0, solver_options()), "set-up of the solver");
+  stepper_->on_linear_failure([this] { return stronger_solver(); });
   find_events();
   measures_ = std::make_unique<Measures>(case_, problem_);
 
@@ -67,13 +76,17 @@ Simulation::Simulation(MPI_Comm comm, const Case& the_case, const ModelFactory& 
 }
 
 SolverPreset Simulation::preset() const {
-  return !case_.solver.preset_given && trial_.multigrid() ? SolverPreset::multigrid : case_.solver.preset;
+  return case_.solver.preset_given ? case_.solver.preset : solver_choice_.current().preset;
 }
 
-int Simulation::fill() const { return case_.solver.preset_given ? 0 : trial_.fill(); }
+int Simulation::fill() const { return case_.solver.preset_given ? 0 : solver_choice_.current().fill; }
+
+std::string Simulation::solver_name() const {
+  return name_of(preset()) + (fill() > 0 ? " with ILU(" + std::to_string(fill()) + ")" : "");
+}
 
 PetscOptionList Simulation::solver_options() const {
-  return preset_options(preset(), problem_.model().unknowns(), problem_.model().component<GasContinuity>(), fill());
+  return preset_options(preset(), problem_.model().fields(), fill());
 }
 
 void Simulation::print_solver() const {
@@ -83,13 +96,24 @@ void Simulation::print_solver() const {
   log_.remark("solver preset %s:%s", name_of(preset()), options.c_str());
 }
 
-/// See PresetTrial.
+/// See SolverChoice.
 void Simulation::reconsider_preset(const StepReport& report) {
-  if (case_.solver.preset_given || !trial_.turns(report.newton, report.krylov, report.rejected_solver > 0)) return;
+  if (case_.solver.preset_given ||
+      !solver_choice_.turns(report.newton, report.krylov, report.setups, report.rejected_solver > 0))
+    return;
   print_solver();
   check_petsc(stepper_->change_preconditioner(solver_options()), "solver preset");
-  log_.remark("time %g s: %.0f Krylov iterations a linear system; solver %s%s from here on", stepper_->time(),
-              trial_.iterations(), name_of(preset()), !trial_.multigrid() && fill() > 0 ? " with ILU(1)" : "");
+  log_.remark("time %g s: %.0f Krylov iterations a linear system; solver %s from here on", stepper_->time(),
+              solver_choice_.iterations(), solver_name().c_str());
+}
+
+/// For a linear system that the preset at hand does not solve.
+std::optional<PetscOptionList> Simulation::stronger_solver() {
+  if (case_.solver.preset_given || !solver_choice_.strengthens()) return std::nullopt;
+  print_solver();
+  log_.remark("time %g s: a linear system is not solved; solver %s from here on", stepper_->time(),
+              solver_name().c_str());
+  return solver_options();
 }
 
 void Simulation::start_new() {
@@ -136,7 +160,7 @@ void Simulation::restart() {
   check_petsc(VecCopy(saved.vector("state"), stepper_->state()), "restart");
   check_petsc(VecCopy(saved.vector("past_0"), stepper_->past(0)), "restart");
   check_petsc(VecCopy(saved.vector("past_1"), stepper_->past(1)), "restart");
-  restore_members(saved, "", trial_.state());
+  restore_members(saved, "", solver_choice_.state());
   print_solver();
   check_petsc(stepper_->change_preconditioner(solver_options()), "restart");
   check_petsc(problem_.update_conditions(time), "restart");
@@ -357,7 +381,7 @@ void Simulation::write_fields() {
 void Simulation::write_checkpoint() {
   NamedScalars scalars{{"time", stepper_->time()}};
   store_members(stepper_->history(), "", scalars);
-  store_members(trial_.state(), "", scalars);
+  store_members(solver_choice_.state(), "", scalars);
   store_members(totals_, "", scalars);
   if (case_.gas_flow.held) store_members(flow_, "", scalars);
   NamedVecs vectors{{"state", stepper_->state()}, {"past_0", stepper_->past(0)}, {"past_1", stepper_->past(1)}};

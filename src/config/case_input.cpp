@@ -118,7 +118,7 @@ const std::vector<std::string>& petsc_prefixes() {
       "help, version, petsc, nox, x_, saws_, device_, cuda_, hip_, use_gpu_aware_mpi, random_, petscsf_, "
       "gas_projection_, gas_start_, vecscatter_, checkstack, check_pointer_intensity, no_signal_handler, skip_petscrc, "
       "get_total_flops, citations, shared_tmp, not_shared_tmp, tmp, error_output_, mpi_, blas_, hdf5_, python, omp_, "
-      "coloring_, matptap_");
+      "coloring_, matptap_, condensed_");
   return prefixes;
 }
 

@@ -10,7 +10,8 @@ void declare_solver(OptionSet& o, Case& the_case) {
                {{"direct", SolverPreset::direct},
                 {"ilu", SolverPreset::ilu},
                 {"multigrid", SolverPreset::multigrid},
-                {"fieldsplit", SolverPreset::fieldsplit}},
+                {"fieldsplit", SolverPreset::fieldsplit},
+                {"condensed", SolverPreset::condensed}},
                "named set of PETSc options for the linear systems")
           .unset_by_default(  // one written into the effective case would be given when that is run again
               "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")

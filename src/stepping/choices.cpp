@@ -10,7 +10,7 @@ const char* name_of(TimeScheme scheme) {
 }
 
 const char* name_of(SolverPreset preset) {
-  constexpr std::array names{"direct", "ilu", "multigrid", "fieldsplit"};
+  constexpr std::array names{"direct", "ilu", "multigrid", "fieldsplit", "condensed"};
   return names.at(static_cast<std::size_t>(preset));
 }
 

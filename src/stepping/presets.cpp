@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scree/balances/layout.hpp"
+
 namespace scree {
 
 namespace {
@@ -125,12 +127,33 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   return list;
 }
 
+/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core has
+/// a factor by MUMPS, and in three dimensions, where factors are dear, multigrid.
+PetscOptionList condensed(const std::vector<Field>& node, int dim) {
+  std::string eliminated;
+  for (const Field& field : node)
+    if (field.unknown->acts_in_its_node)
+      eliminated += (eliminated.empty() ? "" : ",") + std::to_string(field.component);
+  PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
+  const PetscOptionList factor{
+      {"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
+  for (const auto& option : with_prefix("condensed_core_", dim < 3 ? factor : multigrid_block)) list.push_back(option);
+  for (const auto& option : with_prefix("condensed_rest_", ilu_block)) list.push_back(option);
+  return list;
+}
+
 /// One ILU(2) a rank for all unknowns, p_g among them.
 const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
 
 }  // namespace
 
-PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressure, int fill) {
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill) {
+  const auto unknowns = static_cast<int>(node.size());
+  int gas_pressure = -1, dim = 0;
+  for (const Field& field : node) {
+    if (field.is<GasContinuity>()) gas_pressure = field.component;
+    dim = std::max(dim, field.face_axis + 1);
+  }
   PetscOptionList list = newton;
   const bool gas = gas_pressure >= 0;
   const auto append = [&](const PetscOptionList& more) {  // what is there already wins
@@ -154,6 +177,10 @@ PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressu
     case SolverPreset::fieldsplit:
       if (gas) append(gmres("1e-2", "200"));
       append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block_with(fill)) : solids_fieldsplit(unknowns));
+      break;
+    case SolverPreset::condensed:
+      append(gmres("1e-2", "100"));
+      append(condensed(node, dim));
       break;
   }
   return list;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scree/stepping/condensed_preconditioner.hpp"
 #include "scree/stepping/line_search.hpp"
 #include "scree/stepping/orderings.hpp"
 #include "scree/stepping/petsc_versions.hpp"
@@ -12,6 +13,7 @@ namespace scree {
 StageSolver::~StageSolver() {
   PetscCallAbort(PETSC_COMM_SELF, SNESDestroy(&newton_));
   PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&line_));
+  PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&guess_));
 }
 
 /// The SNES of TS is a shell with a prefix of its own, so that the user's options go to the one that does the work.
@@ -29,6 +31,7 @@ PetscErrorCode StageSolver::create(TS ts, const std::string& prefix) {
   PetscCall(SNESShellSetSolve(shell, solve_stage));
   PetscCall(SNESShellSetContext(shell, this));
   if (!line_) PetscCall(DMCreateGlobalVector(problem_.dm(), &line_));
+  if (!guess_) PetscCall(DMCreateGlobalVector(problem_.dm(), &guess_));
   PetscCall(create_newton());
   PetscFunctionReturn(0);
 }
@@ -37,6 +40,7 @@ PetscErrorCode StageSolver::create(TS ts, const std::string& prefix) {
 PetscErrorCode StageSolver::create_newton() {
   PetscFunctionBeginUser;
   PetscCall(register_orderings());
+  PetscCall(register_condensed_preconditioner());
   PetscCall(SNESDestroy(&newton_));
   PetscCall(SNESCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm())), &newton_));
   PetscCall(SNESSetOptionsPrefix(newton_, prefix_.c_str()));
@@ -71,7 +75,7 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscCall(SNESShellGetContext(shell, &solver));
   auto& self = *static_cast<StageSolver*>(solver);
   SNESConvergedReason reason;
-  PetscInt iterations, krylov;
+  PetscInt iterations;
   Vec right_side, residual;
   void* asked_by;  // TSARKIMEX finds its first slope with a TS of its own, of other stages, which does not count
   PetscCall(SNESGetFunction(shell, nullptr, nullptr, &asked_by));
@@ -83,15 +87,15 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscCall(SNESSetUp(self.newton_));
 
   PetscCall(self.guess(state, reason < 0));
-  self.problem_.model().begin_newton(self.tests_jacobian_ ? TangentKind::exact : self.control_.tangent);
-  PetscCall(SNESSolve(self.newton_, right_side, state));
-  PetscCall(SNESGetConvergedReason(self.newton_, &reason));
-  PetscCall(SNESGetIterationNumber(self.newton_, &iterations));
-  PetscCall(SNESGetLinearSolveIterations(self.newton_, &krylov));
-  if (counts) {
-    self.count_.newton += static_cast<int>(iterations);
-    self.count_.krylov += static_cast<int>(krylov);
+  PetscCall(VecCopy(state, self.guess_));
+  PetscCall(self.run_newton(right_side, state, counts, &reason));
+  for (bool stronger = true; reason == SNES_DIVERGED_LINEAR_SOLVE && stronger;) {
+    PetscCall(self.strengthen(&stronger));
+    if (!stronger) break;
+    PetscCall(VecCopy(self.guess_, state));
+    PetscCall(self.run_newton(right_side, state, counts, &reason));
   }
+  PetscCall(SNESGetIterationNumber(self.newton_, &iterations));
   if (reason > 0) {
     PetscCall(self.look_at_age());
     PetscCall(SNESGetFunction(self.newton_, &residual, nullptr, nullptr));
@@ -105,6 +109,35 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   self.stage_.rate = nullptr;
   PetscCall(SNESSetIterationNumber(shell, iterations));
   PetscCall(SNESSetConvergedReason(shell, reason));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode StageSolver::run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason) {
+  PetscFunctionBeginUser;
+  PetscInt iterations, krylov;
+  problem_.model().begin_newton(tests_jacobian_ ? TangentKind::exact : control_.tangent);
+  PetscCall(SNESSolve(newton_, right_side, state));
+  PetscCall(SNESGetConvergedReason(newton_, reason));
+  PetscCall(SNESGetIterationNumber(newton_, &iterations));
+  PetscCall(SNESGetLinearSolveIterations(newton_, &krylov));
+  if (!counts) PetscFunctionReturn(0);
+  count_.newton += static_cast<int>(iterations);
+  count_.krylov += static_cast<int>(krylov);
+  PetscFunctionReturn(0);
+}
+
+/// After a linear system that was not solved. A shorter step would make the next one easier, and the one after it, as
+/// long again, would fail as this one: in nearly rigid beds for ever. So first the preconditioner is made of the
+/// Jacobian at hand, if it was not, then another solver is asked for.
+PetscErrorCode StageSolver::strengthen(bool* stronger) {
+  PetscFunctionBeginUser;
+  PetscBool lag_given;
+  PetscCall(is_given("-snes_lag_preconditioner", &lag_given));
+  *stronger = !lag_given && !age_.is_new();
+  if (*stronger)
+    PetscCall(renew_preconditioner());
+  else if (strengthen_)
+    PetscCall(strengthen_(stronger));
   PetscFunctionReturn(0);
 }
 
@@ -196,6 +229,10 @@ PetscErrorCode StageSolver::before_iteration(SNES snes, PetscInt iteration) {
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
   self.keeps_jacobian_ = !self.tests_jacobian_ && keeps_jacobian(self.norms(), tolerance);
   if (iteration > 0) PetscCall(self.look_at_age());
+  PetscInt lag;
+  PetscCall(SNESGetLagPreconditioner(snes, &lag));
+  if (lag == 1 || self.renews_) ++self.count_.setups;
+  self.renews_ = false;
   PetscFunctionReturn(0);
 }
 
@@ -245,6 +282,7 @@ PetscErrorCode StageSolver::renew_preconditioner() {
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp), KSPPREONLY, &alone));
   PetscCall(SNESSetLagPreconditioner(newton_, alone ? 1 : -2));  // -2: once, then not again
   age_.renewed();
+  renews_ = true;
   PetscFunctionReturn(0);
 }
 

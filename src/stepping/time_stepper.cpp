@@ -92,6 +92,16 @@ PetscErrorCode TimeStepper::change_preconditioner(const PetscOptionList& solver)
   PetscFunctionReturn(0);
 }
 
+void TimeStepper::on_linear_failure(std::function<std::optional<PetscOptionList>()> stronger) {
+  stages_.on_linear_failure([this, stronger = std::move(stronger)](bool* changed) -> PetscErrorCode {
+    PetscFunctionBeginUser;
+    const std::optional<PetscOptionList> solver = stronger();
+    *changed = solver.has_value();
+    if (solver) PetscCall(change_preconditioner(*solver));
+    PetscFunctionReturn(0);
+  });
+}
+
 PetscErrorCode TimeStepper::restart_after_event() {
   PetscFunctionBeginUser;
   history_.forget_past(control_.step.initial);
@@ -122,6 +132,7 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   }
   report->newton = stages_.count().newton;
   report->krylov = stages_.count().krylov;
+  report->setups = stages_.count().setups;
   report->limited = stages_.limited();
   if (report->failed) PetscFunctionReturn(0);
   report->imbalance = {stages_.imbalance().solids * report->dt, stages_.imbalance().gas * report->dt};

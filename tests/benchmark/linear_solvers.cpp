@@ -24,6 +24,7 @@
 #include "scree/config/command_line.hpp"
 #include "scree/config/read_case.hpp"
 #include "scree/output/checkpoint.hpp"
+#include "scree/stepping/condensed_preconditioner.hpp"
 #include "scree/stepping/corrections.hpp"
 #include "scree/stepping/orderings.hpp"
 #include "scree/stepping/petsc_versions.hpp"
@@ -328,9 +329,9 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   System system(problem, state, time, options.dt);
   const char* preset = name_of(scene.solver.preset);
   check(register_orderings());
+  check(register_condensed_preconditioner());
   ScopedOptions of_preset;
-  check(of_preset.set(
-      "", preset_options(scene.solver.preset, problem.model().unknowns(), problem.model().component<GasContinuity>())));
+  check(of_preset.set("", preset_options(scene.solver.preset, problem.model().fields())));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();

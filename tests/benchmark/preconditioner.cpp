@@ -18,8 +18,8 @@ class DevelopedFlow {
     check(problem_.create(PETSC_COMM_SELF, 0));
     const Model& model = problem_.model();
     const bool gas = model.component<GasContinuity>() >= 0;
-    const PetscOptionList solver = preset_options(gas ? SolverPreset::fieldsplit : SolverPreset::multigrid,
-                                                  model.unknowns(), model.component<GasContinuity>());
+    const PetscOptionList solver =
+        preset_options(gas ? SolverPreset::fieldsplit : SolverPreset::multigrid, model.fields());
     StepControl control;
     control.step.initial = case_.time.step_initial;
     stepper_ = std::make_unique<TimeStepper>(problem_, control);

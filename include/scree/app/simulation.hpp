@@ -16,7 +16,7 @@
 #include "scree/output/summary.hpp"
 #include "scree/output/time_average.hpp"
 #include "scree/stepping/flow_control.hpp"
-#include "scree/stepping/preset_trial.hpp"
+#include "scree/stepping/solver_choice.hpp"
 #include "scree/stepping/time_stepper.hpp"
 
 namespace scree {
@@ -65,11 +65,13 @@ class Simulation {
   double next_limit() const;
   void step(StepReport* report);
   void enter_window();
-  SolverPreset preset() const;             ///< that the case gives, or that the trial has come to
+  SolverPreset preset() const;             ///< that the case gives, or the choice has come to
   int fill() const;                        ///< likewise
   PetscOptionList solver_options() const;  ///< of that preset
   void print_solver() const;               ///< where the case asks for it
+  std::string solver_name() const;
   void reconsider_preset(const StepReport& report);
+  std::optional<PetscOptionList> stronger_solver();
   bool monitor_due() const;
   void account_effort(const StepReport& report);  ///< of a step that was made, or of one that does not work
   void account(const StepReport& report);
@@ -102,7 +104,7 @@ class Simulation {
   FlowControl flow_;            ///< where the case holds the flow of gas
   std::vector<double> events_;  ///< starts and ends of time windows, and what plates do [s]
   Totals totals_;
-  PresetTrial trial_;
+  SolverChoice solver_choice_;
   OutputTimes field_times_, checkpoint_times_;
 };
 

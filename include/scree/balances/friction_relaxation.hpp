@@ -31,7 +31,8 @@ struct FrictionRelaxation {
                                    ErrorNorm::with_particles,
                                    bounds,
                                    {"scaled frictional pressure", Allowed::non_negative, 1},
-                                   {"of what an inlet brings", Allowed::non_negative, 1}};
+                                   {"of what an inlet brings", Allowed::non_negative, 1},
+                                   true};
 
   /// nu (d(chi)/dt - source), source = (chi* - chi)/tau [1/s].
   template <class Number>

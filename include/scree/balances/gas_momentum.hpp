@@ -34,7 +34,8 @@ struct GasMomentum {
                                    ErrorNorm::gas_alone,
                                    unbounded,
                                    {"velocity of the gas, before it is made consistent with (2)", Allowed::any},
-                                   {}};
+                                   {},
+                                   true};
 
   /// rho_g (du/dt), to be multiplied by 1-nu with the pressure [N/m3].
   template <class Number>

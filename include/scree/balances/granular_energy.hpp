@@ -38,7 +38,8 @@ struct GranularEnergy {
                                    ErrorNorm::with_particles,
                                    bounds,
                                    {"granular temperature", Allowed::non_negative, 1e-4},
-                                   {"of what an inlet brings", Allowed::non_negative}};
+                                   {"of what an inlet brings", Allowed::non_negative},
+                                   true};
 
   /// (3/2) rho_s [kg/m3], what T is multiplied by in storage and advection beside nu.
   static double capacity(double rho_s) { return 1.5 * rho_s; }

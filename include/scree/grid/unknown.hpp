@@ -61,6 +61,9 @@ struct Unknown {
   NewtonBounds (*bounds)(double value, const NewtonContext&);
   GivenValue initial;
   GivenValue inlet;
+  /// Whether it acts on the other unknowns mostly in its own node, by sources or drag and not by what neighbours
+  /// exchange: a solver may eliminate it there.
+  bool acts_in_its_node = false;
 };
 
 /// One component of an unknown in the node of a scene's grid, for output, norms and probes. Cell-centred fields stand

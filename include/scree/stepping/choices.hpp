@@ -9,7 +9,7 @@ namespace scree {
 enum class TimeScheme { beuler, bdf, arkimex };
 
 /// Named sets of PETSc options, see presets.hpp.
-enum class SolverPreset { direct, ilu, multigrid, fieldsplit };
+enum class SolverPreset { direct, ilu, multigrid, fieldsplit, condensed };
 
 const char* name_of(TimeScheme scheme);
 const char* name_of(SolverPreset preset);

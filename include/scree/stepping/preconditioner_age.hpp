@@ -12,6 +12,8 @@ class PreconditionerAge {
   static constexpr int factor = 2, more = 10;
 
   void renewed() { fresh_ = none; }
+  /// It has not solved a system.
+  bool is_new() const { return fresh_ == none; }
   /// After a linear system of `krylov` iterations; true if the preconditioner has aged.
   bool has_aged(int krylov) {
     if (fresh_ != none) return krylov > factor * fresh_ + more;

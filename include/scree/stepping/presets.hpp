@@ -2,13 +2,16 @@
 /// case file or the command line set win, see ScopedOptions.
 #pragma once
 
+#include <vector>
+
+#include "scree/grid/unknown.hpp"
 #include "scree/stepping/choices.hpp"
 #include "scree/stepping/scoped_options.hpp"
 
 namespace scree {
 
-/// Options of a preset for a node of `unknowns` unknowns, nu being the first and p_g, with gas, at place
-/// `gas_pressure`. With gas the ILU of `fieldsplit` has `fill` levels.
-PetscOptionList preset_options(SolverPreset preset, int unknowns, int gas_pressure = -1, int fill = 0);
+/// Options of a preset for nodes with the unknowns `node`, those of Model::fields, nu being the first. With gas the ILU
+/// of `fieldsplit` has `fill` levels.
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill = 0);
 
 }  // namespace scree

@@ -3,6 +3,7 @@
 
 #include <petscts.h>
 
+#include <functional>
 #include <string>
 
 #include "scree/stepping/corrections.hpp"
@@ -17,6 +18,7 @@ namespace scree {
 /// What the solves of a step took, failed ones included.
 struct SolveCount {
   int newton = 0, krylov = 0;  ///< iterations
+  int setups = 0;              ///< of the preconditioner
   std::string failure;         ///< PETSc's name for the last one; empty: none
 };
 
@@ -44,6 +46,11 @@ class StageSolver {
     limits_.reset();
   }
 
+  /// Asked where a linear system is not solved though the preconditioner is new: sets whether the solver has been made
+  /// another, for another try.
+  using Strengthen = std::function<PetscErrorCode(bool* stronger)>;
+  void on_linear_failure(Strengthen strengthen) { strengthen_ = std::move(strengthen); }
+
   SNES newton() const { return newton_; }
   const SolveCount& count() const { return count_; }
   long limited() const { return limits_.limited(); }  ///< unknowns held back in this step on this rank
@@ -66,6 +73,8 @@ class StageSolver {
   static PetscErrorCode before_iteration(SNES, PetscInt iteration);
 
   PetscErrorCode create_newton();
+  PetscErrorCode run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason);
+  PetscErrorCode strengthen(bool* stronger);
   PetscErrorCode guess(Vec state, bool after_failure);
   PetscErrorCode put_on_line(double ratio, Vec state);
   PetscErrorCode residual_norm(Vec state, double* norm);
@@ -88,11 +97,14 @@ class StageSolver {
   SNES newton_ = nullptr;
   Vec start_ = nullptr, before_ = nullptr;  ///< of the step; not owned
   Vec line_ = nullptr;                      ///< the guess on the line through them
+  Vec guess_ = nullptr;                     ///< from which Newton's method has started
   Stage stage_;                             ///< as TS has asked for it last
   SolveCount count_;
   VolumeImbalance imbalance_;
   bool found_slope_ = false;                ///< the last stage was one of TSARKIMEX's first slope
   bool keeps_jacobian_ = false;             ///< in this iteration
+  bool renews_ = false;                     ///< the preconditioner, in the next iteration
+  Strengthen strengthen_;
   PetscBool tests_jacobian_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
 };
 

@@ -4,6 +4,8 @@
 #include <petscts.h>
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "scree/stepping/scoped_options.hpp"
@@ -15,6 +17,7 @@ namespace scree {
 struct StepReport {
   double time = 0, dt = 0;     ///< reached; made [s]
   int newton = 0, krylov = 0;  ///< iterations, failed attempts included
+  int setups = 0;              ///< of preconditioners, likewise
   int rejected_error = 0;      ///< attempts given up since the local error was too large
   int rejected_solver = 0;     ///< attempts given up since Newton or Krylov failed
   std::string reason;          ///< of the last failure of the solver
@@ -43,6 +46,8 @@ class TimeStepper {
   /// Takes the options of another preset from the next step on, those of the Krylov method included. What `solver` does
   /// not name stays as it was, except that the preconditioner is made from nothing.
   PetscErrorCode change_preconditioner(const PetscOptionList& solver);
+  /// `stronger` is asked for other options where a linear system is not solved, before the step is cut.
+  void on_linear_failure(std::function<std::optional<PetscOptionList>()> stronger);
   /// Makes the next step set up its preconditioner from nothing, as after a restart: what follows a checkpoint shall
   /// not depend on whether the run was interrupted there.
   PetscErrorCode forget_preconditioner();

@@ -20,7 +20,7 @@ class DirectSolver : public testing::Test {
     (void)PetscOptionsPop();
     (void)PetscOptionsDestroy(&options_);
   }
-  static PetscOptionList solver() { return preset_options(SolverPreset::direct, 4); }
+  static PetscOptionList solver() { return preset_options(SolverPreset::direct, {}); }
   /// Tolerances for solvers with this prefix of options.
   static void solve_exactly(const std::string& prefix = "") {
     for (const auto& [name, value] : {std::pair("snes_rtol", "1e-12"), {"snes_atol", "1e-13"}, {"snes_stol", "0"}})

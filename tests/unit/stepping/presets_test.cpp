@@ -5,10 +5,15 @@
 #include <algorithm>
 
 #include "../../support/sample_problem.hpp"
-#include "scree/stepping/preset_trial.hpp"
+#include "scree/balances/layout.hpp"
 
 namespace scree::test {
 namespace {
+
+/// The unknowns of a node in the plane with all that the paper has, and without gas.
+const std::vector<Field> with_gas = Layout<2, true, true, GasModel::incompressible>::fields({}),
+                         without_gas = Layout<2, true, true, GasModel::none>::fields({}),
+                         in_space = Layout<3, true, true, GasModel::none>::fields({});
 
 /// Options that exist only within a test.
 class Presets : public testing::Test {
@@ -36,7 +41,7 @@ TEST_F(Presets, GiveWayToTheUser) {
   check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
   check(PetscOptionsSetValue(nullptr, "-pc_type", "asm"));
   ScopedOptions options;
-  check(options.set("", preset_options(SolverPreset::ilu, 4)));
+  check(options.set("", preset_options(SolverPreset::ilu, without_gas)));
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   EXPECT_EQ(value("-pc_type"), "asm");
   EXPECT_EQ(value("-ksp_type"), "bcgs");
@@ -46,103 +51,13 @@ TEST_F(Presets, GiveWayToTheUser) {
 TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
   check(PetscOptionsSetValue(nullptr, "-ksp_rtol", "1e-9"));
   ScopedOptions options;
-  check(options.set("", preset_options(SolverPreset::fieldsplit, 8, 5)));
+  check(options.set("", preset_options(SolverPreset::fieldsplit, with_gas)));
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "ilu");
-  check(options.set("", preset_options(SolverPreset::multigrid, 8, 5)));
+  check(options.set("", preset_options(SolverPreset::multigrid, with_gas)));
   EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   check(options.clear());
-}
-
-TEST(PresetTrial, TriesMultigridAndComesBack) {
-  PresetTrial trial(PresetTrial::with_gas);
-  EXPECT_TRUE(trial.turns(10, 450));                                       // fill comes first
-  for (int step = 0; step < 10; ++step) EXPECT_FALSE(trial.turns(2, 90));  // 45 are not too many
-  EXPECT_FALSE(trial.turns(9, 900));                                       // not enough to go by
-  EXPECT_TRUE(trial.turns(1, 100));
-  EXPECT_TRUE(trial.multigrid());
-  EXPECT_EQ(trial.iterations(), 100);
-  EXPECT_FALSE(trial.turns(10, 500));  // it pays
-  EXPECT_TRUE(trial.turns(10, 510));
-  EXPECT_FALSE(trial.multigrid());
-}
-
-TEST(PresetTrial, FillComesWhereIterationsAreManyAndGoesWhereTheyAreFew) {
-  PresetTrial trial(PresetTrial::with_gas);
-  EXPECT_FALSE(trial.turns(10, 120));
-  EXPECT_EQ(trial.fill(), 0);
-  EXPECT_TRUE(trial.turns(10, 121));
-  EXPECT_EQ(trial.fill(), 1);
-  EXPECT_FALSE(trial.multigrid());
-  EXPECT_FALSE(trial.turns(10, 40));
-  EXPECT_TRUE(trial.turns(10, 39));
-  EXPECT_EQ(trial.fill(), 0);
-  for (const PresetTrial::Rule& rule : {PresetTrial::without_gas, PresetTrial::with_gas_without_friction}) {
-    PresetTrial other(rule);
-    other.turns(10, 121);
-    EXPECT_EQ(other.fill(), 0);
-  }
-}
-
-/// Once it is known what multigrid takes, it comes when it pays.
-TEST(PresetTrial, ComesBackToMultigridWhereTheFirstTakesMore) {
-  PresetTrial trial(PresetTrial::with_gas);
-  EXPECT_TRUE(trial.turns(10, 800));  // fill
-  EXPECT_TRUE(trial.turns(10, 800));
-  EXPECT_TRUE(trial.turns(10, 450));
-  EXPECT_FALSE(trial.turns(10, 890));
-  EXPECT_TRUE(trial.turns(10, 910));
-  EXPECT_FALSE(trial.turns(10, 450));
-}
-
-/// A bed packed to nu_max loses steps with multigrid, which has to save more there.
-TEST(PresetTrial, WithoutFrictionMultigridHasToSaveMore) {
-  for (const bool friction : {true, false}) {
-    PresetTrial trial(friction ? PresetTrial::with_gas : PresetTrial::with_gas_without_friction);
-    while (!trial.multigrid()) trial.turns(10, 800);
-    trial.turns(10, 300);
-    EXPECT_EQ(trial.multigrid(), friction);
-  }
-}
-
-/// Where it does not, what it took is forgotten after a while, twice as long each time.
-TEST(PresetTrial, AsksMultigridAgainAfterAWhile) {
-  PresetTrial trial(PresetTrial::without_gas);
-  EXPECT_FALSE(trial.turns(10, 150));
-  for (const int windows : {2, 4, 8}) {
-    while (!trial.multigrid()) trial.turns(10, 160);
-    EXPECT_FALSE(trial.turns(10, 120));  // it pays
-    EXPECT_TRUE(trial.turns(10, 130));
-    for (int k = 1; k < windows; ++k) EXPECT_FALSE(trial.turns(10, 160)) << windows;
-    EXPECT_TRUE(trial.turns(10, 160)) << windows;
-  }
-}
-
-/// A step that failed once says nothing of the preset; steps that fail often do.
-TEST(PresetTrial, PassesOverSeldomFailures) {
-  PresetTrial trial(PresetTrial::without_gas);
-  EXPECT_TRUE(trial.turns(10, 160));
-  for (int k = 0; k < 20; ++k) {
-    EXPECT_FALSE(trial.turns(8, 430, true));
-    for (int step = 0; step < PresetTrial::seldom; ++step) EXPECT_FALSE(trial.turns(5, 50));
-  }
-  EXPECT_FALSE(trial.turns(8, 430, true));
-  for (int step = 1; step < PresetTrial::seldom; ++step) EXPECT_FALSE(trial.turns(5, 50));
-  EXPECT_TRUE(trial.turns(10, 430, true));
-  EXPECT_FALSE(trial.multigrid());
-}
-
-/// What a checkpoint keeps is all that decides.
-TEST(PresetTrial, GoesOnFromItsState) {
-  PresetTrial trial(PresetTrial::without_gas), again(PresetTrial::without_gas);
-  trial.turns(10, 160);
-  trial.turns(9, 110);
-  EXPECT_FALSE(trial.turns(8, 430, true));
-  again.state() = trial.state();
-  EXPECT_TRUE(again.multigrid());
-  EXPECT_TRUE(trial.turns(1, 25, true));
-  EXPECT_TRUE(again.turns(1, 25, true));
 }
 
 std::string option(const PetscOptionList& list, const std::string& name) {
@@ -152,10 +67,10 @@ std::string option(const PetscOptionList& list, const std::string& name) {
 }
 
 constexpr SolverPreset all_presets[] = {SolverPreset::direct, SolverPreset::ilu, SolverPreset::multigrid,
-                                        SolverPreset::fieldsplit};
+                                        SolverPreset::fieldsplit, SolverPreset::condensed};
 
 TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
-  const PetscOptionList list = preset_options(SolverPreset::fieldsplit, 5);
+  const PetscOptionList list = preset_options(SolverPreset::fieldsplit, without_gas);
   std::string fields;
   for (const char* name : {"pc_fieldsplit_0_fields", "pc_fieldsplit_1_fields"}) fields += option(list, name) + ',';
   for (const char c : std::string("01234"))
@@ -164,7 +79,7 @@ TEST_F(Presets, FieldsplitNamesEveryUnknownOnce) {
 
 TEST_F(Presets, GasPressureIsSplitFromAllOthers) {
   for (const SolverPreset preset : {SolverPreset::fieldsplit, SolverPreset::multigrid}) {
-    const PetscOptionList list = preset_options(preset, 8, 5);
+    const PetscOptionList list = preset_options(preset, with_gas);
     EXPECT_EQ(option(list, "pc_fieldsplit_0_fields"), "0,1,2,3,4,6,7") << name_of(preset);
     EXPECT_EQ(option(list, "pc_fieldsplit_1_fields"), "5") << name_of(preset);
   }
@@ -172,8 +87,8 @@ TEST_F(Presets, GasPressureIsSplitFromAllOthers) {
 
 TEST_F(Presets, NameNoOptionTwice) {
   for (const SolverPreset preset : all_presets)
-    for (const int gas_pressure : {-1, 5}) {
-      PetscOptionList options = preset_options(preset, 8, gas_pressure);
+    for (const auto& node : {with_gas, without_gas, in_space}) {
+      PetscOptionList options = preset_options(preset, node);
       std::sort(options.begin(), options.end());
       const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
       EXPECT_EQ(std::adjacent_find(options.begin(), options.end(), same_name), options.end()) << name_of(preset);
@@ -182,8 +97,19 @@ TEST_F(Presets, NameNoOptionTwice) {
 
 TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
   for (const int fill : {0, 1})
-    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, 8, 5, fill), "fieldsplit_0_sub_pc_factor_levels"),
+    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, with_gas, fill), "fieldsplit_0_sub_pc_factor_levels"),
               std::to_string(fill));
+}
+
+/// nu, v (and p_g) stay; what acts in its node goes.
+TEST_F(Presets, CondensedEliminatesWhatActsInItsNode) {
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, with_gas), "pc_condensed_eliminated"), "3,4,6,7");
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "pc_condensed_eliminated"), "3,4");
+}
+
+TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "condensed_core_pc_type"), "lu");
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "gamg");
 }
 
 }  // namespace

@@ -1,0 +1,183 @@
+#include "scree/stepping/condensed_preconditioner.hpp"
+
+#include <petscksp.h>
+
+#include <memory>
+
+#include "scree/stepping/condensation.hpp"
+
+namespace scree {
+
+namespace {
+
+class CondensedPreconditioner {
+ public:
+  CondensedPreconditioner() = default;
+  ~CondensedPreconditioner() { PetscCallAbort(PETSC_COMM_SELF, clear()); }
+  CondensedPreconditioner(const CondensedPreconditioner&) = delete;
+  CondensedPreconditioner& operator=(const CondensedPreconditioner&) = delete;
+
+  /// For the matrix of `pc`, whose pattern may be another than before.
+  PetscErrorCode set_up(PC pc) {
+    PetscFunctionBeginUser;
+    Mat matrix;
+    PetscObjectId id;
+    PetscObjectState pattern;
+    PetscCall(PCGetOperators(pc, nullptr, &matrix));
+    PetscCall(PetscObjectGetId(reinterpret_cast<PetscObject>(matrix), &id));
+    PetscCall(MatGetNonzeroState(matrix, &pattern));
+    if (!condensation_ || id != id_ || pattern != pattern_) PetscCall(create(pc, matrix));
+    id_ = id;
+    pattern_ = pattern;
+    bool regular;
+    PetscCall(condensation_->update(matrix, &regular));
+    PetscCall(PCSetFailedReason(pc, regular ? PC_NOERROR : PC_FACTOR_NUMERIC_ZEROPIVOT));
+    if (!regular) PetscFunctionReturn(0);
+    for (KSP solver : {core_, rest_}) {
+      PetscCall(KSPSetUp(solver));
+      PetscCall(KSPSetUpOnBlocks(solver));
+    }
+    PetscFunctionReturn(0);
+  }
+
+  PetscErrorCode apply(PC pc, Vec x, Vec y) {
+    PetscFunctionBeginUser;
+    PetscCall(condensation_->split(x, x_core_, x_rest_));
+    PetscCall(condensation_->solve_nodes(x_rest_, y_rest_));
+    PetscCall(MatMult(condensation_->core_rest(), y_rest_, y_core_));
+    PetscCall(VecAYPX(y_core_, -1, x_core_));
+    PetscCall(KSPSolve(core_, y_core_, x_core_));
+    PetscCall(KSPCheckSolve(core_, pc, x_core_));
+    PetscCall(MatMult(condensation_->rest_core(), x_core_, y_rest_));
+    PetscCall(VecAXPY(x_rest_, -1, y_rest_));
+    PetscCall(KSPSolve(rest_, x_rest_, y_rest_));
+    PetscCall(KSPCheckSolve(rest_, pc, y_rest_));
+    PetscCall(condensation_->join(x_core_, y_rest_, y));
+    PetscFunctionReturn(0);
+  }
+
+  PetscErrorCode view(PetscViewer viewer) const {
+    PetscFunctionBeginUser;
+    if (!core_) PetscFunctionReturn(0);
+    PetscCall(PetscViewerASCIIPushTab(viewer));
+    PetscCall(PetscViewerASCIIPrintf(viewer, "solver of the core\n"));
+    PetscCall(KSPView(core_, viewer));
+    PetscCall(PetscViewerASCIIPrintf(viewer, "solver of the eliminated unknowns\n"));
+    PetscCall(KSPView(rest_, viewer));
+    PetscCall(PetscViewerASCIIPopTab(viewer));
+    PetscFunctionReturn(0);
+  }
+
+ private:
+  PetscErrorCode clear() {
+    PetscFunctionBeginUser;
+    for (KSP* solver : {&core_, &rest_}) PetscCall(KSPDestroy(solver));
+    for (Vec* vector : {&x_core_, &y_core_, &x_rest_, &y_rest_}) PetscCall(VecDestroy(vector));
+    condensation_.reset();
+    PetscFunctionReturn(0);
+  }
+
+  PetscErrorCode create(PC pc, Mat matrix) {
+    PetscFunctionBeginUser;
+    PetscCall(clear());
+    const char* prefix;
+    PetscInt unknowns, count;
+    PetscCall(PCGetOptionsPrefix(pc, &prefix));
+    PetscCall(MatGetBlockSize(matrix, &unknowns));
+    count = unknowns;
+    std::vector<PetscInt> eliminated(static_cast<std::size_t>(unknowns));
+    PetscCall(
+        PetscOptionsGetIntArray(nullptr, prefix, "-pc_condensed_eliminated", eliminated.data(), &count, nullptr));
+    eliminated.resize(static_cast<std::size_t>(count));
+    condensation_ = std::make_unique<Condensation>();
+    PetscCall(condensation_->create(matrix, eliminated));
+    PetscCall(create_solver(pc, prefix, "condensed_core_", condensation_->core(), &core_));
+    PetscCall(create_solver(pc, prefix, "condensed_rest_", condensation_->rest(), &rest_));
+    PetscCall(MatCreateVecs(condensation_->core(), &x_core_, &y_core_));
+    PetscCall(MatCreateVecs(condensation_->rest(), &x_rest_, &y_rest_));
+    PetscFunctionReturn(0);
+  }
+
+  static PetscErrorCode create_solver(PC pc, const char* outer, const char* own, Mat matrix, KSP* solver) {
+    PetscFunctionBeginUser;
+    PetscCall(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), solver));
+    PetscCall(PetscObjectIncrementTabLevel(reinterpret_cast<PetscObject>(*solver), reinterpret_cast<PetscObject>(pc),
+                                           1));
+    PetscCall(KSPSetErrorIfNotConverged(*solver, PETSC_FALSE));
+    PetscCall(KSPSetType(*solver, KSPPREONLY));
+    PetscCall(KSPSetOptionsPrefix(*solver, outer));
+    PetscCall(KSPAppendOptionsPrefix(*solver, own));
+    PetscCall(KSPSetOperators(*solver, matrix, matrix));
+    PetscCall(KSPSetFromOptions(*solver));
+    PetscFunctionReturn(0);
+  }
+
+  std::unique_ptr<Condensation> condensation_;
+  PetscObjectId id_ = 0;          ///< of the matrix ...
+  PetscObjectState pattern_ = 0;  ///< ... whose pattern the condensation has
+  KSP core_ = nullptr, rest_ = nullptr;
+  Vec x_core_ = nullptr, y_core_ = nullptr, x_rest_ = nullptr, y_rest_ = nullptr;
+};
+
+// ---- as a shell of PETSc ----
+
+PetscErrorCode context(PC pc, CondensedPreconditioner** own) {
+  PetscFunctionBeginUser;
+  PetscCall(PCShellGetContext(pc, own));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode set_up(PC pc) {
+  PetscFunctionBeginUser;
+  CondensedPreconditioner* own;
+  PetscCall(context(pc, &own));
+  PetscCall(own->set_up(pc));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode apply(PC pc, Vec x, Vec y) {
+  PetscFunctionBeginUser;
+  CondensedPreconditioner* own;
+  PetscCall(context(pc, &own));
+  PetscCall(own->apply(pc, x, y));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode view(PC pc, PetscViewer viewer) {
+  PetscFunctionBeginUser;
+  CondensedPreconditioner* own;
+  PetscCall(context(pc, &own));
+  PetscCall(own->view(viewer));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode destroy(PC pc) {
+  PetscFunctionBeginUser;
+  CondensedPreconditioner* own;
+  PetscCall(context(pc, &own));
+  delete own;
+  PetscFunctionReturn(0);
+}
+
+/// What PETSc calls for -pc_type condensed; the PC then is of the type PCSHELL, all of whose interface is public.
+PetscErrorCode make_shell(PC pc) {
+  PetscFunctionBeginUser;
+  PetscCall(PCSetType(pc, PCSHELL));
+  PetscCall(PCShellSetName(pc, "condensed"));
+  PetscCall(PCShellSetContext(pc, new CondensedPreconditioner()));
+  PetscCall(PCShellSetSetUp(pc, set_up));
+  PetscCall(PCShellSetApply(pc, apply));
+  PetscCall(PCShellSetView(pc, view));
+  PetscCall(PCShellSetDestroy(pc, destroy));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace
+
+PetscErrorCode register_condensed_preconditioner() {
+  PetscFunctionBeginUser;
+  PetscCall(PCRegister("condensed", make_shell));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace scree
