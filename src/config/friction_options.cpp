@@ -89,9 +89,10 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
          "floor^2 is added under sqrt(S:S + c T/d^2)")
       .used_if(some, absent);
   friction.flow_rule_floor = friction.fluctuation < 1 ? 1 : 0;
-  o.real("friction_flow_rule_floor", friction.flow_rule_floor, "1/s", non_negative(),
-         "floor^2 is added under sqrt(S:S + c T/d^2 + eps^2) in the flow rule (21): a bed that shears more slowly is at "
-         "its critical state")
+  o.real(
+       "friction_flow_rule_floor", friction.flow_rule_floor, "1/s", non_negative(),
+       "floor^2 is added under sqrt(S:S + c T/d^2 + eps^2) in the flow rule (21): a bed that shears more slowly is at "
+       "its critical state")
       .default_from("1 1/s where friction_fluctuation is below 1, else 0")
       .used_if(with_chi, no_chi);
 

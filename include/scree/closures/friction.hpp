@@ -42,20 +42,20 @@ struct FrictionParameters {
   double n_dilation = 1.8149628088422;  ///< exponent n where div v >= 0: sqrt(3)/(2 sin phi) [-]
   double n_compaction = 1.03;           ///< exponent n where div v < 0 [-]
   FrictionCoefficient coefficient = FrictionCoefficient::constant;
-  double mu_2 = 0.6435;                 ///< M of fast flow; that of slow flow is sin(phi) [-]
-  double I_0 = 0.278;                   ///< inertial number at which M is half way [-]
-  double rho_s = 2900.0;                ///< solids density, in the inertial number [kg/m3]
-  double F = 0.05;                      ///< constant of (18) [Pa]
-  double r = 2.0;                       ///< exponent of (18) [-]
-  double s = 5.0;                       ///< exponent of (18) [-]
-  double nu_min = 0.5;                  ///< threshold of (18) [-]
-  double nu_max = 0.65;                 ///< maximum packing [-]
-  double tau = 1e-3;                    ///< relaxation time of chi, (23) [s]
-  double fluctuation = 1;               ///< c of S:S + c T/d^2: 1 as in (20)-(22), 0 as in (15)-(17) [-]
-  double d = 1e-3;                      ///< particle diameter [m]
-  bool lagged = false;                  ///< chi of a step from the state before it, as segregated codes have it
-  double strain_rate_floor = 1e-4;      ///< regularisation of sqrt(S:S + c T/d^2 + floor^2) [1/s]
-  double flow_rule_floor = 0;           ///< rate of shear below which the flow rule (21) asks less and less [1/s]
+  double mu_2 = 0.6435;             ///< M of fast flow; that of slow flow is sin(phi) [-]
+  double I_0 = 0.278;               ///< inertial number at which M is half way [-]
+  double rho_s = 2900.0;            ///< solids density, in the inertial number [kg/m3]
+  double F = 0.05;                  ///< constant of (18) [Pa]
+  double r = 2.0;                   ///< exponent of (18) [-]
+  double s = 5.0;                   ///< exponent of (18) [-]
+  double nu_min = 0.5;              ///< threshold of (18) [-]
+  double nu_max = 0.65;             ///< maximum packing [-]
+  double tau = 1e-3;                ///< relaxation time of chi, (23) [s]
+  double fluctuation = 1;           ///< c of S:S + c T/d^2: 1 as in (20)-(22), 0 as in (15)-(17) [-]
+  double d = 1e-3;                  ///< particle diameter [m]
+  bool lagged = false;              ///< chi of a step from the state before it, as segregated codes have it
+  double strain_rate_floor = 1e-4;  ///< regularisation of sqrt(S:S + c T/d^2 + floor^2) [1/s]
+  double flow_rule_floor = 0;       ///< rate of shear below which the flow rule (21) asks less and less [1/s]
 };
 
 // Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
@@ -150,10 +150,10 @@ Number yield_factor_of_branch(const Number& chi, double n, const FrictionParamet
   return yield_factor_of_base(Number(pow(chi, 1 / (n - 1))), n, p);
 }
 
-/// The same on the whole yield surface: for chi < 1 the branch of dilation, for chi > 1 that of compaction. By (13) it is
-/// the branch that the sign of div v chooses wherever the flow rule holds, and both have one slope at chi = 1. With the
-/// sign of div v the stress would jump at div v = 0 where chi has not relaxed to 1, and Newton's method with it in a bed
-/// that hardly moves.
+/// The same on the whole yield surface: for chi < 1 the branch of dilation, for chi > 1 that of compaction. By (13) it
+/// is the branch that the sign of div v chooses wherever the flow rule holds, and both have one slope at chi = 1. With
+/// the sign of div v the stress would jump at div v = 0 where chi has not relaxed to 1, and Newton's method with it in
+/// a bed that hardly moves.
 template <class Number>
 Number yield_factor(const Number& chi, const FrictionParameters& p) {
   return yield_factor_of_branch(chi, chi < 1.0 ? p.n_dilation : p.n_compaction, p);
