@@ -97,8 +97,8 @@ void declare_segment(OptionSet& o, const std::string& key, const GridInput& grid
   if (!moves) condition.velocity.fill(0);
   declare_wall_values(o, key, has_wall_law(condition), condition.wall);
   declare_inlet_values(o, key, the_case, condition);
-  declare_variation(o, key, "velocity", grid.dim, {condition.kind.brings_solids(), "its kind is not inlet"},
-                    segment.axis, condition.variation);
+  declare_variation(o, key, "", grid.dim, {condition.kind.brings_solids(), "its kind is not inlet"}, segment.axis,
+                    condition.variation);
   declare_gas_side(o, key, grid.dim, the_case, segment);
   o.real(key + "from", condition.from, "s", any_number(), "start of its time window").unset_by_default("always");
   o.real(key + "until", condition.until, "s", any_number(), "end of its time window").unset_by_default("always");
@@ -114,6 +114,8 @@ void declare_slide(OptionSet& o, const std::string& key, int dim, Plate& plate) 
   o.choice(key + "slide_axis", plate.slide_axis, axis_choices(o, dim), "axis along which it slides, in its plane")
       .default_from("the first axis in its plane")
       .used_if(o.describing() || slides, at_rest);
+  if (slides && plate.slide_axis == plate.axis)
+    throw InputError(key + "slide_axis", axis_names[plate.axis], "an axis in the plane of the plate");
   o.real(key + "slide_from", plate.slide_from, "s", any_number(), "when it begins to slide").used_if(slides, at_rest);
   o.real(key + "slide_until", plate.slide_until, "s", any_number(), "when it stops")
       .unset_by_default("never")

@@ -77,10 +77,7 @@ void check_plates(const Case& the_case) {
       throw InputError(key + "velocity", point_text(plate.condition.velocity, the_case.box.dim),
                        "a velocity in the plane of the plate");
     check_times(key + "until", plate.condition.until, key + "from", plate.condition.from);
-    if (!plate.slides()) continue;
-    check_times(key + "slide_until", plate.slide_until, key + "slide_from", plate.slide_from);
-    if (plate.slide_axis == plate.axis)
-      throw InputError(key + "slide_axis", axis_names[plate.axis], "an axis in the plane of the plate");
+    if (plate.slides()) check_times(key + "slide_until", plate.slide_until, key + "slide_from", plate.slide_from);
   }
 }
 

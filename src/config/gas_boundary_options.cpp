@@ -42,7 +42,7 @@ void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case&
                               .default_from("0; required for a gas_inlet")
                               .used_if(inflow.used, inflow.otherwise);
   velocity.needed = inflow.used && !condition.kind.brings_solids();
-  declare_variation(o, key + "gas_", "gas_velocity", dim, inflow, segment.axis, condition.gas_variation);
+  declare_variation(o, key, "gas_", dim, inflow, segment.axis, condition.gas_variation);
   o.real(key + "gas_pressure", condition.gas_pressure, "Pa", any_number(),
          "p_g outside of an open side, over that of still gas there")
       .symbol("p_g")

@@ -87,7 +87,8 @@ for name, options, expected in [
         if name == "packing" and more:
             continue  # -check looks at the grid alone
         run = start("wrong", {**options, **more}, must_work=False)
-        line = run.errors.strip().split("\n")[-1] if run.errors.strip() else ""
+        lines = [line for line in run.errors.split("\n") if line.startswith("scree: ")]
+        line = lines[0] if len(lines) == 1 else run.errors
         checks.equal(f"{name} {more}: exit code", run.code, 1)
         if expected:
             checks.true(f"{name} {more}: the error names the key", "initial_settled_run" in line and expected in line, line)

@@ -4,6 +4,7 @@ from scree_program import Checks, Program
 
 program, checks = Program(), Checks("plates that come, go and slide")
 ROW = 6  # of the faces in the plane of the gate
+NOTHING = 1e-9  # of a velocity that a linear solver finds [m/s]
 
 
 def passes(monitor, time):
@@ -33,7 +34,7 @@ checks.equal("drawn out: steps end when faces open", [passes(run.monitor, t) for
 for fields in run.all_fields():
     time, v = fields["time"], fields["velocity_y_face"][ROW]
     closed = opens > time + 1e-9
-    checks.equal(f"drawn out, {time:g} s: velocity at closed faces", float(np.abs(v[closed]).max(initial=0.0)), 0.0)
+    checks.below(f"drawn out, {time:g} s: velocity at closed faces [m/s]", np.abs(v[closed]).max(initial=0.0), NOTHING)
     if np.any(opens < time - 1e-3):
         checks.below(f"drawn out, {time:g} s: greatest velocity at open faces [m/s]", v[opens < time - 1e-3].max(), -5e-3)
 checks.below("drawn out: mass error", np.abs(run.monitor["mass_error"]).max(), 1e-12)
@@ -44,7 +45,7 @@ checks.below("drawn out to the left: greatest difference of nu in the mirror",
              np.abs(left.fields["solids_fraction"][:, ::-1] - run.fields["solids_fraction"]).max(), 1e-6)
 run = program.run("moving_plate.yaml", "pushed", {"plate_gate_slide_speed": 2, "plate_gate_span": "-4 cm, 0", "plate_gate_slide_until": 0.01})
 v = run.fields["velocity_y_face"][ROW]
-checks.equal("pushed in: velocity at closed faces", float(np.abs(v[:4]).max()), 0.0)
+checks.below("pushed in: velocity at closed faces [m/s]", np.abs(v[:4]).max(), NOTHING)
 checks.below("pushed in: greatest velocity at open faces [m/s]", v[4:].max(), -0.05)
 
 # What slides drags the grains along, a hole moves with its plate.
@@ -52,7 +53,7 @@ hole = program.run("moving_plate.yaml", "hole", {"plate_gate_kind": "wall_no_sli
                                                   "plate_gate_slide_speed": 1, "plate_gate_slide_until": 0.02, "end_time": 0.02})
 checks.above("hole: greatest velocity of the grains on the plate along it [m/s]", hole.all_fields()[-2]["velocity_x_face"][ROW].max(), 0.01)
 v = hole.fields["velocity_y_face"][ROW]
-checks.equal("hole: closed faces", (v[:4] == 0).tolist() + (v[6:] == 0).tolist(), [True] * 6)
+checks.below("hole: velocity at closed faces [m/s]", np.abs(v[[0, 1, 2, 3, 6, 7]]).max(), NOTHING)
 
 # With gas, whose volume is kept where faces open.
 run = program.run("moving_plate.yaml", "gas", {**drawn, "gas": "incompressible", "end_time": 0.02})

@@ -79,9 +79,9 @@ struct OptionUse {
   bool used;
   std::string otherwise;
 };
-/// How a velocity that an inlet prescribes varies over its patch and in time. `key` is all that comes before
-/// "profile_"; `velocity` the name of the velocity; `normal` the axis of the side.
-void declare_variation(OptionSet& o, const std::string& key, const std::string& velocity, int dim, const OptionUse& use,
+/// How the velocity of a phase that an inlet prescribes varies over its patch and in time. `prefix` comes before the
+/// names of the options, "gas_" or nothing; `normal` is the axis of the side.
+void declare_variation(OptionSet& o, const std::string& key, const std::string& prefix, int dim, const OptionUse& use,
                        int normal, InletVariation& variation);
 /// What a side does to the gas; its kind and axis are known.
 void declare_gas_side(OptionSet& o, const std::string& key, int dim, const Case& the_case, Segment& segment);

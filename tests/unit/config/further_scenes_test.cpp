@@ -30,13 +30,15 @@ TEST_F(FurtherScenes, ARegionFromARunTakesWholeCells) {
 }
 
 TEST_F(FurtherScenes, ARunIsTheOneSourceOfTheSolidsFraction) {
-  const std::pair<std::string, std::string> run{"initial_bed_run", "out/settled"};
-  EXPECT_EQ(error_with({run, {"initial_bed_profile", "equilibrium"}, {"initial_bed_surface", "0.05"}}).key,
+  const std::pair<std::string, std::string> run{"initial_bed_run", "out/settled"},
+      box{"initial_bed_box", "0, 8 cm, 0, 4 cm"};
+  EXPECT_EQ(error_with({run, box, {"initial_bed_profile", "equilibrium"}, {"initial_bed_surface", "0.05"}}).key,
             "initial_bed_run");
-  EXPECT_EQ(error_with({run, {"initial_bed_table", "nu.txt"}}).key, "initial_bed_run");
+  EXPECT_EQ(error_with({run, box, {"initial_bed_table", "nu.txt"}}).key, "initial_bed_run");
   clear();
   small_bin();
   set(run.first, run.second);
+  set(box.first, box.second);
   EXPECT_TRUE(has_remark(read_case(), "initial_bed_solids_fraction is not used"));
 }
 
