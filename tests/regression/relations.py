@@ -33,7 +33,7 @@ checks.below("bin: mass error", np.abs(one.monitor["mass_error"]).max(), 1e-12)
 two = program.run("small_bin.yaml", "two_ranks", {**TIGHT, **DIRECT}, ranks=2)
 checks.below("1 rank against 2 ranks, relative", difference(one.fields, two.fields), 1e-6)
 
-for preset in ("ilu", "multigrid", "fieldsplit"):
+for preset in ("ilu", "multigrid", "fieldsplit", "condensed"):
     other = program.run("small_bin.yaml", f"preset_{preset}", {**TIGHT, "solver": preset})
     cut = int(other.summary["rejected_solver"])  # a step that the linear solver cuts leaves another path of steps
     checks.below(f"preset {preset}: steps cut by the solver", cut, 2)
