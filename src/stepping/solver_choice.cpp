@@ -19,8 +19,8 @@ std::vector<SolverCandidate> without_gas(int dim, double cells, int ranks) {
             {SolverPreset::multigrid, 0, 15, 1.7, 8, 0.35}};
   const double growth = factor_growth(cells, 2500, ranks);
   return {{SolverPreset::ilu, 0, 3, 1, 5, 1},
-          {SolverPreset::condensed, 0, 18 * growth, 2.7 * std::sqrt(growth), 5, 0.35, true},
-          {SolverPreset::multigrid, 0, 6, 1.4, 10, 0.35}};
+          {SolverPreset::condensed, 0, 18 * growth, 2.7 * std::sqrt(growth), 4, 0.35, true},
+          {SolverPreset::multigrid, 0, 6, 1.4, 15, 0.35}};
 }
 
 std::vector<SolverCandidate> with_gas(int dim, double cells, int ranks) {

@@ -50,7 +50,7 @@ for name, ranks in (("same_ranks", program.ranks), ("other_ranks", 3 - program.r
         checks.below("other ranks: greatest difference", difference(whole.fields, again.fields), 5e-3)
 
 one = program.run(CASE, "given_steps", {**COARSE, **GIVEN_STEPS})
-for preset in ("ilu", "multigrid", "direct"):
+for preset in ("ilu", "multigrid", "condensed", "direct"):
     other = program.run(CASE, f"preset_{preset}", {**COARSE, **GIVEN_STEPS, "solver": preset})
     checks.equal(f"preset {preset}: steps cut", other.summary["rejected_solver"], 0)
     checks.below(f"preset {preset} against fieldsplit", difference(one.fields, other.fields), 1e-6)

@@ -34,7 +34,7 @@ if program.ranks > 1:
     several = program.run("small_bin.yaml", "several_ranks", {**TIGHT, **DIRECT})
     checks.below(f"1 rank against {program.ranks} ranks, relative", difference(one.fields, several.fields), 1e-6)
 
-for preset in ("ilu", "multigrid", "fieldsplit"):
+for preset in ("ilu", "multigrid", "fieldsplit", "condensed"):
     other = program.run("small_bin.yaml", f"preset_{preset}", {**TIGHT, "solver": preset})
     cut = int(other.summary["rejected_solver"])  # a step that the linear solver cuts leaves another path of steps
     checks.below(f"preset {preset}: steps cut by the solver", cut, 2)

@@ -1,0 +1,56 @@
+"""The preset condensed in each layout: few Krylov iterations, the solution of a direct solver, and a restart that ends bit
+for bit as the uninterrupted run; and a linear system that the first preset does not solve goes to it before a step is cut."""
+import shutil
+
+import numpy as np
+from scree_program import DIRECT, Checks, Program
+
+BUBBLE = "../../cases/bubble_rise/paper.yaml"
+COARSE_BUBBLE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cells": "12, 8",
+                 "initial_bed_box": "0, 7 cm, 0, 12 cm"}
+COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0, 2 cm, 12 cm", "grid_z_cells": "5, 13",
+              "initial_fill_box": "0, 4 cm, 0, 4 cm, 2 cm, 9 cm",
+              "boundary_wall_x_patch": "0, 4 cm, 2 cm, 12 cm", "boundary_wall_y_patch": "0, 4 cm, 2 cm, 12 cm"}
+# Layout: case, options, end of a run with free steps [s], Krylov iterations a linear system there, at most.
+LAYOUTS = {
+    "plane, none": ("small_bin.yaml", {}, 0.02, 3),
+    "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.02, 3),
+    "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.02, 3),
+    "space, none": ("../benchmark/bin_3d.yaml", COARSE_BOX, 0.02, 3),
+}
+TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 4e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,
+         "snes_stol": 1e-12, "ksp_rtol": 1e-8}
+CONDENSED = {"solver": "condensed"}
+
+
+def difference(a, b):
+    """Greatest difference of the unknowns where there are particles, each relative to its greatest value."""
+    there = a["solids_fraction"] > 1e-3
+    names = [name for name in ("solids_fraction", "velocity", "granular_temperature", "gas_pressure") if name in a]
+    return max(np.abs((a[name] - b[name])[there]).max() / np.abs(a[name]).max() for name in names)
+
+
+program, checks = Program(), Checks("the preset condensed")
+for layout, (case, options, end, most) in LAYOUTS.items():
+    name = layout.replace(", ", "_")
+    free = {**options, **CONDENSED, "end_time": end, "checkpoint_interval": end / 2}
+    whole = program.run(case, name, free)
+    mean = whole.summary["krylov_iterations"] / whole.summary["newton_iterations"]
+    checks.below(f"{layout}: Krylov iterations a linear system", mean, most)
+    checks.equal(f"{layout}: steps cut by the solver", whole.summary["rejected_solver"], 0)
+    shutil.copytree(whole.directory, program.work / f"{name}_again")
+    sorted((program.work / f"{name}_again" / "checkpoints").glob("*.h5"))[-1].unlink()
+    again = program.run(case, f"{name}_again", {**free, "restart": program.work / f"{name}_again"})
+    checks.true(f"{layout}: restart, bits of the last fields",
+                all(np.array_equal(whole.fields[field], again.fields[field]) for field in whole.fields),
+                f"differ by {difference(whole.fields, again.fields):.1e}")
+
+    tight = program.run(case, f"{name}_tight", {**options, **TIGHT, **CONDENSED})
+    direct = program.run(case, f"{name}_direct", {**options, **TIGHT, **DIRECT})
+    checks.below(f"{layout}: against direct", difference(direct.fields, tight.fields), 1e-6)
+
+# Jacobi in the place of ILU, and few iterations: the run goes over to condensed, and no step is cut.
+weak = program.run("small_bin.yaml", "weak", {"end_time": 0.01, "ksp_max_it": 12, "sub_pc_type": "jacobi"})
+checks.true("a system that is not solved: goes to condensed", "a linear system is not solved; solver condensed" in weak.log, weak.log)
+checks.equal("a system that is not solved: steps cut by the solver", weak.summary["rejected_solver"], 0)
+checks.verdict()
