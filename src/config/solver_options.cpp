@@ -14,7 +14,7 @@ void declare_solver(OptionSet& o, Case& the_case) {
                 {"condensed", SolverPreset::condensed}},
                "named set of PETSc options for the linear systems")
           .unset_by_default(  // one written into the effective case would be given when that is run again
-              "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")
+              "ilu, with gas fieldsplit; on the way others where these pay, see cases/GUIDE.md")
           .given;
   o.boolean("solver_extrapolate", the_case.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", the_case.solver.view, "print the PETSc options that the preset stands for");

@@ -111,8 +111,8 @@ PetscErrorCode Condensation::create_block(Pattern& pattern, PetscInt width, Mat*
   PetscInt first_row;
   for (auto& columns : pattern) {
     sort_unique(columns);
-    inner.push_back(std::count_if(columns.begin(), columns.end(),
-                                  [&](PetscInt c) { return c >= first_column && c < end; }));
+    inner.push_back(
+        std::count_if(columns.begin(), columns.end(), [&](PetscInt c) { return c >= first_column && c < end; }));
     outer.push_back(static_cast<PetscInt>(columns.size()) - inner.back());
   }
   PetscCall(MatCreate(comm_, block));
@@ -189,8 +189,8 @@ PetscErrorCode Condensation::create_ghost_rows() {
 
   const PetscInt block = gone_ * gone_;
   PetscCall(VecCreateMPIWithArray(comm_, block, nodes_ * block, PETSC_DETERMINE, inverse_.data(), &inverse_here_));
-  PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, block, count * block, inverse_.data() + nodes_ * block,
-                                  &inverse_there_));
+  PetscCall(
+      VecCreateSeqWithArray(PETSC_COMM_SELF, block, count * block, inverse_.data() + nodes_ * block, &inverse_there_));
   PetscCall(ISCreateBlock(PETSC_COMM_SELF, block, count, ghost_nodes_.data(), PETSC_COPY_VALUES, &from));
   PetscCall(VecScatterCreate(inverse_here_, from, inverse_there_, nullptr, &to_ghosts_));
   PetscCall(ISDestroy(&from));
@@ -216,15 +216,14 @@ PetscErrorCode Condensation::number_ghosts() {
   PetscCall(here.open(rest_core_));
   for (PetscInt k = 0; k < here.ghost_count; ++k) rest_core_ghosts_.push_back(number(here.ghosts[k]));
 
-  for (PetscInt column = first; column < end; ++column)
-    component_.push_back(static_cast<std::uint8_t>(column % kept_));
+  for (PetscInt column = first; column < end; ++column) component_.push_back(static_cast<std::uint8_t>(column % kept_));
   for (const PetscInt column : ghost_core_) component_.push_back(static_cast<std::uint8_t>(column % kept_));
   slot_.assign(component_.size(), nullptr);
   PetscFunctionReturn(0);
 }
 
-/// Calls work(column of the core, place of the entry) for row k of A_rc of a node; rest_core_rows_ and ghost_row_values_
-/// are open.
+/// Calls work(column of the core, place of the entry) for row k of A_rc of a node; rest_core_rows_ and
+/// ghost_row_values_ are open.
 template <class Work>
 void Condensation::for_each_core_entry(PetscInt node, PetscInt k, Work&& work) const {
   if (node >= nodes_) {

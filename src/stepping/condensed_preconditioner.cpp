@@ -86,8 +86,7 @@ class CondensedPreconditioner {
     PetscCall(MatGetBlockSize(matrix, &unknowns));
     count = unknowns;
     std::vector<PetscInt> eliminated(static_cast<std::size_t>(unknowns));
-    PetscCall(
-        PetscOptionsGetIntArray(nullptr, prefix, "-pc_condensed_eliminated", eliminated.data(), &count, nullptr));
+    PetscCall(PetscOptionsGetIntArray(nullptr, prefix, "-pc_condensed_eliminated", eliminated.data(), &count, nullptr));
     eliminated.resize(static_cast<std::size_t>(count));
     condensation_ = std::make_unique<Condensation>();
     PetscCall(condensation_->create(matrix, eliminated));
@@ -101,8 +100,8 @@ class CondensedPreconditioner {
   static PetscErrorCode create_solver(PC pc, const char* outer, const char* own, Mat matrix, KSP* solver) {
     PetscFunctionBeginUser;
     PetscCall(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), solver));
-    PetscCall(PetscObjectIncrementTabLevel(reinterpret_cast<PetscObject>(*solver), reinterpret_cast<PetscObject>(pc),
-                                           1));
+    PetscCall(
+        PetscObjectIncrementTabLevel(reinterpret_cast<PetscObject>(*solver), reinterpret_cast<PetscObject>(pc), 1));
     PetscCall(KSPSetErrorIfNotConverged(*solver, PETSC_FALSE));
     PetscCall(KSPSetType(*solver, KSPPREONLY));
     PetscCall(KSPSetOptionsPrefix(*solver, outer));

@@ -51,7 +51,7 @@ const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
 /// One ILU(`fill`) a rank. For the steps that accuracy mostly allows with gas ILU(0) suffices: it takes about as many
-/// iterations as ILU(1), and each is cheaper. PresetTrial says where it does not.
+/// iterations as ILU(1), and each is cheaper. SolverChoice finds where it does not.
 PetscOptionList ilu_block_with(int fill) {
   PetscOptionList list{{"sub_pc_factor_levels", std::to_string(fill)}};
   for (const auto& option : ilu_block)
@@ -127,16 +127,15 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
   return list;
 }
 
-/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core has
-/// a factor by MUMPS, and in three dimensions, where factors are dear, multigrid.
+/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core
+/// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid.
 PetscOptionList condensed(const std::vector<Field>& node, int dim) {
   std::string eliminated;
   for (const Field& field : node)
     if (field.unknown->acts_in_its_node)
       eliminated += (eliminated.empty() ? "" : ",") + std::to_string(field.component);
   PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
-  const PetscOptionList factor{
-      {"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
+  const PetscOptionList factor{{"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
   for (const auto& option : with_prefix("condensed_core_", dim < 3 ? factor : multigrid_block)) list.push_back(option);
   for (const auto& option : with_prefix("condensed_rest_", ilu_block)) list.push_back(option);
   return list;

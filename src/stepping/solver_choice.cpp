@@ -26,11 +26,11 @@ std::vector<SolverCandidate> without_gas(int dim, double cells, int ranks) {
 std::vector<SolverCandidate> with_gas(int dim, double cells, int ranks) {
   const double growth = factor_growth(cells, 5000, ranks);
   const bool factored = dim < 3;
-  return {{SolverPreset::fieldsplit, 0, 10, 1, 8, 0.35},
-          {SolverPreset::fieldsplit, 1, 16, 1.2, 8, 0.35},
-          {SolverPreset::multigrid, 0, 22, 2.2, 15, 0.35},
-          {SolverPreset::condensed, 0, factored ? 80 * growth : 20, factored ? 7 * std::sqrt(growth) : 2, 6, 0.35,
-           true}};
+  return {
+      {SolverPreset::fieldsplit, 0, 10, 1, 8, 0.35},
+      {SolverPreset::fieldsplit, 1, 16, 1.2, 8, 0.35},
+      {SolverPreset::multigrid, 0, 22, 2.2, 15, 0.35},
+      {SolverPreset::condensed, 0, factored ? 80 * growth : 20, factored ? 7 * std::sqrt(growth) : 2, 6, 0.35, true}};
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ class Condensation {
   PetscInt nodes_ = 0, first_node_ = 0;          ///< of this rank
   std::vector<PetscInt> place_;                  ///< of a component: in the core, or -1 - place among the eliminated
   // Ghosts are numbered behind what is this rank's.
-  std::vector<PetscInt> ghost_nodes_;  ///< that the rows here touch, rising
-  std::vector<PetscInt> ghost_core_;   ///< columns of the core on other ranks, rising
+  std::vector<PetscInt> ghost_nodes_;                 ///< that the rows here touch, rising
+  std::vector<PetscInt> ghost_core_;                  ///< columns of the core on other ranks, rising
   std::array<std::vector<std::int32_t>, 2> columns_;  ///< of A, by part: column of the core, or -1 - that of the rest
   std::vector<std::uint8_t> component_;               ///< of a column of the core
   std::vector<PetscInt> rest_core_ghosts_;            ///< number in the core of a ghost column of A_rc ...

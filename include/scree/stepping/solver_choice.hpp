@@ -13,11 +13,11 @@ namespace scree {
 /// A preset that a run may take, with what it costs. Unit: an iteration of the first of a list.
 struct SolverCandidate {
   SolverPreset preset;
-  int fill = 0;           ///< levels of fill more than the preset has by itself
-  double setup = 0;       ///< cost of a set-up
-  double iteration = 0;   ///< cost of a Krylov iteration
-  double hoped = 0;       ///< iterations a linear system that it takes where it is the right one
-  double renewed = 0;     ///< set-ups a Newton iteration
+  int fill = 0;            ///< levels of fill more than the preset has by itself
+  double setup = 0;        ///< cost of a set-up
+  double iteration = 0;    ///< cost of a Krylov iteration
+  double hoped = 0;        ///< iterations a linear system that it takes where it is the right one
+  double renewed = 0;      ///< set-ups a Newton iteration
   bool strongest = false;  ///< the one to go to where another does not solve a linear system
 };
 
@@ -81,8 +81,7 @@ class SolverChoice {
     state_.setups += setups;
     if (state_.newton < window) return false;
     iterations_ = static_cast<double>(state_.krylov) / state_.newton;
-    const double cost =
-        (current().setup * state_.setups + current().iteration * state_.krylov) / state_.newton;
+    const double cost = (current().setup * state_.setups + current().iteration * state_.krylov) / state_.newton;
     state_.newton = state_.krylov = state_.setups = 0;
     for (int& windows : state_.windows) ++windows;
     remember(state_.current, cost);

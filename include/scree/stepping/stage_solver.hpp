@@ -74,7 +74,7 @@ class StageSolver {
 
   PetscErrorCode create_newton();
   PetscErrorCode run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason);
-  PetscErrorCode strengthen(bool* stronger);
+  PetscErrorCode strengthen(bool renews, bool* stronger);
   PetscErrorCode guess(Vec state, bool after_failure);
   PetscErrorCode put_on_line(double ratio, Vec state);
   PetscErrorCode residual_norm(Vec state, double* norm);
@@ -101,9 +101,9 @@ class StageSolver {
   Stage stage_;                             ///< as TS has asked for it last
   SolveCount count_;
   VolumeImbalance imbalance_;
-  bool found_slope_ = false;                ///< the last stage was one of TSARKIMEX's first slope
-  bool keeps_jacobian_ = false;             ///< in this iteration
-  bool renews_ = false;                     ///< the preconditioner, in the next iteration
+  bool found_slope_ = false;     ///< the last stage was one of TSARKIMEX's first slope
+  bool keeps_jacobian_ = false;  ///< in this iteration
+  bool renews_ = false;          ///< the preconditioner, in the next iteration
   Strengthen strengthen_;
   PetscBool tests_jacobian_ = PETSC_FALSE;  ///< by PETSc: the one in use is to be that of the state
 };

@@ -81,8 +81,7 @@ class Condensed : public testing::Test {
     (void)PetscOptionsDestroy(&options_);
   }
   static void set(const std::vector<std::pair<std::string, std::string>>& list) {
-    for (const auto& [name, value] : list)
-      check(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.c_str()));
+    for (const auto& [name, value] : list) check(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.c_str()));
   }
 
  private:
@@ -96,7 +95,8 @@ double defect(PC pc, Mat A) {
   PetscInt first, end;
   check(MatCreateVecs(A, &y, &x));
   check(VecGetOwnershipRange(x, &first, &end));
-  for (PetscInt k = first; k < end; ++k) check(VecSetValue(x, k, std::sin(1.0 + static_cast<double>(k)), INSERT_VALUES));
+  for (PetscInt k = first; k < end; ++k)
+    check(VecSetValue(x, k, std::sin(1.0 + static_cast<double>(k)), INSERT_VALUES));
   check(VecAssemblyBegin(x));
   check(VecAssemblyEnd(x));
   check(VecNorm(x, NORM_2, &size));

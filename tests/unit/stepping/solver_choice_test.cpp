@@ -5,7 +5,8 @@
 namespace scree {
 namespace {
 
-/// A cheap one that is set up at each Newton iteration, and a dear one of few iterations. Hoped: 4 + 5 = 9, 10 + 20 = 30.
+/// A cheap one that is set up at each Newton iteration, and a dear one of few iterations. Hoped: 4 + 5 = 9, 10 + 20
+/// = 30.
 SolverChoice cheap_and_strong() {
   return SolverChoice({{SolverPreset::ilu, 0, 4, 1, 5, 1}, {SolverPreset::condensed, 0, 20, 4, 5, 0.5, true}});
 }
