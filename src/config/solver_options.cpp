@@ -14,7 +14,7 @@ void declare_solver(OptionSet& o, Case& the_case) {
                 {"condensed", SolverPreset::condensed}},
                "named set of PETSc options for the linear systems")
           .unset_by_default(  // one written into the effective case would be given when that is run again
-              "ilu, with gas fieldsplit; on the way more fill or multigrid where that pays, see cases/GUIDE.md")
+              "ilu, with gas fieldsplit; on the way others where these pay, see cases/GUIDE.md")
           .given;
   o.choice("newton_tangent", the_case.solver.tangent,
            {{"exact", TangentKind::exact}, {"stress_velocity", TangentKind::stress_velocity}},

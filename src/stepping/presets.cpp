@@ -51,7 +51,7 @@ const PetscOptionList multigrid_block{{"pc_type", "gamg"},
                                       {"mg_levels_sub_pc_factor_shift_type", "nonzero"}};
 
 /// One ILU(`fill`) a rank. For the steps that accuracy mostly allows with gas ILU(0) suffices: it takes about as many
-/// iterations as ILU(1), and each is cheaper. PresetTrial says where it does not.
+/// iterations as ILU(1), and each is cheaper. SolverChoice finds where it does not.
 PetscOptionList ilu_block_with(int fill) {
   PetscOptionList list{{"sub_pc_factor_levels", std::to_string(fill)}};
   for (const auto& option : ilu_block)

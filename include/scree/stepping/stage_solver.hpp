@@ -74,7 +74,7 @@ class StageSolver {
 
   PetscErrorCode create_newton();
   PetscErrorCode run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason);
-  PetscErrorCode strengthen(bool* stronger);
+  PetscErrorCode strengthen(bool renews, bool* stronger);
   PetscErrorCode guess(Vec state, bool after_failure);
   PetscErrorCode put_on_line(double ratio, Vec state);
   PetscErrorCode residual_norm(Vec state, double* norm);
