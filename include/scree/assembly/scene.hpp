@@ -39,13 +39,12 @@ struct Scene : Metrics {
   bool wall(int a, const Index& I) const { return near && barriers.wall(a, I); }
 };
 
-/// Bounds of the lower `axis` face of I in its plane.
+/// Bounds of the lower `axis` face of I.
 inline FaceExtent face_extent(const Metrics& grid, int axis, const Index& I) {
   FaceExtent extent;
   for (int a = 0; a < grid.lattice.dim; ++a) {
-    if (a == axis) continue;
     extent.lower[a] = grid.axis(a).face(I[a]);
-    extent.upper[a] = grid.axis(a).face(I[a] + 1);
+    extent.upper[a] = grid.axis(a).face(a == axis ? I[a] : I[a] + 1);
   }
   return extent;
 }

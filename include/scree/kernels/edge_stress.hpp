@@ -62,7 +62,8 @@ struct EdgeStress {
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab, T);
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
-    const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu);
+    const auto slip_squared = edge_slip_squared<L>(
+        scene, I, q, a, b, nu, [&](int axis, const Index& face) { return before_sides(scene, I, face, axis); });
     const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, q(L::nu, cell)); });
     const Number mu = through(
         [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
@@ -121,16 +122,14 @@ struct EdgeStress {
     return (scene.barrier(across, I - unit(axis)) ? 0 : below) + (scene.barrier(across, I) ? 0 : 1 - below);
   }
 
+  static constexpr int none = -1;
+
   /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are
   /// crosswise.
   template <class Value>
   static auto mean(const Scene& scene, const Index& I, Value&& value) {
     const double far_a = scene.lower_share(a, I), far_b = scene.lower_share(b, I);
-    const auto at = [&](Index cell) {
-      for (const int normal : {a, b})
-        if (scene.near && on_side_of_axis(scene, normal, I)) cell = before_side(I, normal, cell);
-      return value(cell);
-    };
+    const auto at = [&](const Index& cell) { return value(before_sides(scene, I, cell, none)); };
     return std::decay_t<decltype(value(Index{}))>((1 - far_a) * (1 - far_b) * at(cells[0]) +
                                                   far_a * (1 - far_b) * at(cells[1]) +
                                                   (1 - far_a) * far_b * at(cells[2]) + far_a * far_b * at(cells[3]));
@@ -160,10 +159,15 @@ struct EdgeStress {
   static constexpr std::size_t component_count = L::dim + 2 + (L::dim > 2 ? 8 : 0);
 
   /// Whether a barrier is on the lower `c` face of cell I + at, or of the cell before the side that the edge lies on.
-  static bool shut(const Scene& scene, const Index& I, int c, Index at) {
+  static bool shut(const Scene& scene, const Index& I, int c, const Index& at) {
+    return scene.barrier(c, I + before_sides(scene, I, at, c));
+  }
+
+  /// `at` moved before the sides that the edge lies on, but not along axis `kept`.
+  static Index before_sides(const Scene& scene, const Index& I, Index at, int kept) {
     for (const int normal : {a, b})
-      if (scene.near && on_side_of_axis(scene, normal, I)) at = before_side(I, normal, at);
-    return scene.barrier(c, I + at);
+      if (scene.near && normal != kept && on_side_of_axis(scene, normal, I)) at = before_side(I, normal, at);
+    return at;
   }
 
   /// D_ac and D_bc, c being the axis along the edge; edges on barriers count with zero.

@@ -176,13 +176,16 @@ constexpr void add_edge_slip_inputs(StencilBuilder& s, int a, int b) {
   }
 }
 
-template <class L, class Q, class Number>
-auto edge_slip_squared(const Scene& scene, const Index& I, const Q& q, int a, int b, const Number& nu) {
+/// `before` moves a face of an axis, relative to the anchor, from beyond a side that the edge lies on to before it.
+template <class L, class Q, class Number, class Before>
+auto edge_slip_squared(const Scene& scene, const Index& I, const Q& q, int a, int b, const Number& nu,
+                       Before&& before) {
   if constexpr (!L::has_gas) {
     return 0.0;
   } else {
     Number sum(0.0);
-    const auto component = [&](int axis, const Index& at) {
+    const auto component = [&](int axis, const Index& face) {
+      const Index at = before(axis, face);
       if constexpr (L::has_u)
         return Number(gas_slip<L>(q, axis, at));
       else
