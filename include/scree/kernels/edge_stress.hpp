@@ -149,7 +149,8 @@ struct EdgeStress {
       });
       div_v += D;
       S.add(D, 1);
-      if (axis != a && axis != b) add_other_shear(scene, I, q, axis, S);
+      if constexpr (L::dim > 2)
+        if (axis != a && axis != b) add_other_shear(scene, I, q, axis, S);
     }
     S.add(div_v, -1.0 / 3);
     return {div_v, square_of_strain(scene, S, T, I, [](NewtonTangent& t) { return &t.edges[3 - a - b]; })};
@@ -165,8 +166,9 @@ struct EdgeStress {
 
   /// `at` moved before the sides that the edge lies on, but not along axis `kept`.
   static Index before_sides(const Scene& scene, const Index& I, Index at, int kept) {
-    for (const int normal : {a, b})
-      if (scene.near && normal != kept && on_side_of_axis(scene, normal, I)) at = before_side(I, normal, at);
+    if (!scene.near) return at;
+    if (a != kept && on_side_of_axis(scene, a, I)) at = before_side(I, a, at);
+    if (b != kept && on_side_of_axis(scene, b, I)) at = before_side(I, b, at);
     return at;
   }
 
