@@ -173,7 +173,8 @@ std::vector<std::pair<std::string, Vec>> WallAverage::sums() const {
 void write_wall_stress(const std::string& directory, int index, double time, Vec state, const WallStress& walls,
                        const WallAverage* average, const DiscreteProblem& problem) {
   const Lattice& grid = problem.lattice();
-  const std::size_t columns = static_cast<std::size_t>(2 * grid.dim + 1 + (average ? 2 : 1) * (1 + grid.dim));
+  const std::size_t columns =
+      2UL * static_cast<std::size_t>(grid.dim) + 1 + (average ? 2UL : 1UL) * (1UL + static_cast<std::size_t>(grid.dim));
   std::vector<Row> mine;
   for (const WallFace& face : walls.faces(time, state)) mine.push_back(row_of(face, grid, average));
   const std::vector<Row> rows = gathered(comm_of(problem), mine, keys + columns);

@@ -69,7 +69,7 @@ std::string header_of(const std::string& path) {
   if (version != std::to_string(checkpoint_version)) {
     throw wrong("format version '" + version + "', expected " + std::to_string(checkpoint_version));
   }
-  const std::string header = read_text_dataset(file.id(), "header");
+  std::string header = read_text_dataset(file.id(), "header");
   if (text_checksum(header) != read_text_attribute(file.id(), "header_checksum"))
     throw wrong("checksum of header differs");
   return header;

@@ -88,8 +88,8 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
 
   PetscCall(self.guess(state, reason < 0));
   PetscCall(VecCopy(state, self.guess_));
+  bool renews = !self.age_.is_new(), stronger = true;  // one made in this stage would be made of the same Jacobian
   PetscCall(self.run_newton(right_side, state, counts, &reason));
-  bool renews = true, stronger = true;  // renewing once is enough: it may be a later iteration that fails
   for (; reason == SNES_DIVERGED_LINEAR_SOLVE; renews = false) {
     PetscCall(self.strengthen(renews, &stronger));
     if (!stronger) break;
@@ -129,12 +129,12 @@ PetscErrorCode StageSolver::run_newton(Vec right_side, Vec state, bool counts, S
 
 /// After a linear system that was not solved. A shorter step would make the next one easier, and the one after it, as
 /// long again, would fail as this one: in nearly rigid beds for ever. So first the preconditioner is made of the
-/// Jacobian at hand, if it was not and `renews`, then another solver is asked for.
+/// Jacobian at hand, if it `renews`, then another solver is asked for.
 PetscErrorCode StageSolver::strengthen(bool renews, bool* stronger) {
   PetscFunctionBeginUser;
   PetscBool lag_given;
   PetscCall(is_given("-snes_lag_preconditioner", &lag_given));
-  *stronger = renews && !lag_given && !age_.is_new();
+  *stronger = renews && !lag_given;
   if (*stronger)
     PetscCall(renew_preconditioner());
   else if (strengthen_)

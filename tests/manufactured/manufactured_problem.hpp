@@ -136,7 +136,10 @@ class ManufacturedProblem {
         held_.push_back(owned);
       } else if (model().is_balance(field.component, I)) {
         const StrongForm form(q, dim(), problem_.setup().model, problem_.setup().solids);
-        source[owned] = row_scale(field) * value_of(form.sources(), field);
+        double value = value_of(form.sources(), field);
+        if (field.symbol == "v" && field.face_axis == 1 && I[1] == 0)  // of a side, only an open one has a balance
+          value += form.on_open_side(1, -1, grid().control_length(1, I));
+        source[owned] = row_scale(field) * value;
       }
     });
     check(VecRestoreArray(source_, &source));

@@ -63,6 +63,17 @@ class StrongForm {
     return r;
   }
 
+  /// What momentum `a` of the particles on an open side gets beyond that of a point inside, `length` being the half
+  /// cell of its control volume and `outwards` -1 on a lower side: the stress, which outside is 0 and here is not, and
+  /// the weight of what has left and moves with it.
+  double on_open_side(int a, int outwards, double length) const {
+    const auto& g = model_.gravity;
+    const double slow = 1e-2 * std::sqrt(std::hypot(g[0], g[1], g[2]) * solids_.kinetic.d);
+    const double outflow = outwards * q_.v[a].value, left = q_.nu.value * outflow / (outflow + slow);
+    const double rho_g = has_gas() ? solids_.gas.rho_g : 0;
+    return -outwards * stress(a, a).value / length - (solids_.kinetic.rho_s - rho_g) * left * g[a];
+  }
+
   /// Normal gradient of slip with which shear brings what the wall law (25) takes, axis 1 pointing from the wall [1/s].
   double shear_of_wall_law(const WallParameters& wall) const {
     const double slip = std::sqrt(slip_speed_squared());

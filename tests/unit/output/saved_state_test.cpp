@@ -39,7 +39,9 @@ TEST(SavedState, HasGridFieldsAndValuesOfTheNewestCheckpoint) {
     const Index node = unit(0) + 2 * unit(dim - 1);
     EXPECT_DOUBLE_EQ(saved.value(*nu, node), 2 * (Scene::code(node, 0) + 4));
     EXPECT_DOUBLE_EQ(saved.value(*v, node), 10 * dim * (Scene::code(node, dim) + 4));
-    if (dim == 2) EXPECT_DOUBLE_EQ(saved.value(*nu, node - 5 * unit(1)), saved.value(*nu, node)) << "periodic";
+    if (dim == 2) {
+      EXPECT_DOUBLE_EQ(saved.value(*nu, node - 5 * unit(1)), saved.value(*nu, node)) << "periodic";
+    }
   }
 }
 
