@@ -22,7 +22,7 @@ esac
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$root/scripts/install_dependencies.sh"
-"$root/scripts/build.sh"
+"$root/scripts/build.sh" ${SCREE_BUILD_TARGETS:-}
 
 # nproc takes OMP_NUM_THREADS for the number of cores.
 cores=$(env -u OMP_NUM_THREADS nproc)

@@ -28,8 +28,8 @@ for floor in FLOORS[:-1]:
                  / np.abs(least["gas_pressure"]).max(), 1e-3)
     nu, v = least["solids_fraction"], least["velocity_y_face"][1:-1]
     both = (nu[1:] > 1e-3) & (nu[:-1] > 1e-3)
-    checks.below(f"{name}: v_y where nu > 1e-3", np.abs(states[floor]["velocity_y_face"][1:-1] - v)[both].max()
-                 / np.abs(v[both]).max(), 1e-3)
+    checks.below(f"{name}: v_y where nu > 1e-3, over the 1 m/s that the slit blows",
+                 np.abs(states[floor]["velocity_y_face"][1:-1] - v)[both].max(), 1e-3)
 checks.hard_case("H5", "bed and jet below an empty freeboard", run,
                  measured=f"nu changes by {change:.1e} (relative) from void floor {FLOORS[0]:g} to {FLOORS[-1]:g}; greatest "
                           f"speed of particles {monitor['speed_max'].max():.2f} m/s",

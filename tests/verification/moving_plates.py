@@ -26,7 +26,8 @@ checks.above("closes: least flux between the first steps and then [kg/s]", monit
 checks.equal("closes: flux after", float(np.abs(monitor["flux_gate"][monitor["time"] > 0.02 + 1e-9]).max()), 0.0)
 
 # Drawn out to the right with 1 m/s from 5 ms on: face i is open from when the end passes its centre.
-drawn = {"plate_gate_slide_speed": 1, "plate_gate_slide_from": 0.005, "plate_gate_span": "0, 4 cm"}
+drawn = {"plate_gate_slide_speed": 1, "plate_gate_slide_from": 0.005, "plate_gate_span": "0, 4 cm",
+         "solver": "direct"}  # orderings of ILU tell left from right
 run = program.run("moving_plate.yaml", "drawn", drawn)
 centres = 0.0025 + 0.005 * np.arange(8)
 opens = 0.005 + centres
@@ -41,8 +42,10 @@ checks.below("drawn out: mass error", np.abs(run.monitor["mass_error"]).max(), 1
 
 # The same gate seen in a mirror; and pushed in until it has closed half of the box, then it stays.
 left = program.run("moving_plate.yaml", "drawn_left", {**drawn, "plate_gate_slide_speed": -1})
-checks.below("drawn out to the left: greatest difference of nu in the mirror",
-             np.abs(left.fields["solids_fraction"][:, ::-1] - run.fields["solids_fraction"]).max(), 1e-6)
+for fields, mirrored in zip(run.all_fields(), left.all_fields()):
+    if fields["time"] < 0.031:  # later Newton's method ends on one side of a bend or the other, by rounding
+        checks.below(f"drawn out to the left, {fields['time']:g} s: greatest difference of nu in the mirror",
+                     np.abs(mirrored["solids_fraction"][:, ::-1] - fields["solids_fraction"]).max(), 1e-12)
 run = program.run("moving_plate.yaml", "pushed", {"plate_gate_slide_speed": 2, "plate_gate_span": "-4 cm, 0", "plate_gate_slide_until": 0.01})
 v = run.fields["velocity_y_face"][ROW]
 checks.below("pushed in: velocity at closed faces [m/s]", np.abs(v[:4]).max(), NOTHING)

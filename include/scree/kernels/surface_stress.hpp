@@ -22,7 +22,7 @@ namespace scree {
 /// fall in.
 template <class Number>
 Number surface_share(const Number& below, const Number& above) {
-  constexpr double nothing = 1e-9;  // voids may hold less than the root of the least number
+  constexpr double nothing = 1e-5;  // voids are no surfaces, and what is left of particles there no bend for Newton
   return integer_power(Number((below - above) / (below + above + nothing)), 64);
 }
 
