@@ -9,7 +9,7 @@ namespace scree {
 struct StepControl {
   TimeScheme scheme = TimeScheme::beuler;
   StepBounds step;
-  double accuracy = 1e-2;  ///< root mean square of the local error of a step, see norm_of_error
+  double accuracy = 1e-2;                    ///< root mean square of the local error of a step, see norm_of_error
   TangentKind tangent = TangentKind::exact;  ///< of Newton's method
   bool extrapolate = true;  ///< first guess of Newton's method on the line of the last states if that is better
 };
