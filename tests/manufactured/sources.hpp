@@ -68,7 +68,7 @@ class StrongForm {
   /// the weight of what has left and moves with it.
   double on_open_side(int a, int outwards, double length) const {
     const auto& g = model_.gravity;
-    const double slow = 1e-2 * std::sqrt(std::hypot(g[0], g[1], g[2]) * solids_.kinetic.d);
+    const double slow = 1e-1 * std::sqrt(std::hypot(g[0], g[1], g[2]) * solids_.kinetic.d);
     const double outflow = outwards * q_.v[a].value, left = q_.nu.value * outflow / (outflow + slow);
     const double rho_g = has_gas() ? solids_.gas.rho_g : 0;
     return -outwards * stress(a, a).value / length - (solids_.kinetic.rho_s - rho_g) * left * g[a];

@@ -51,11 +51,11 @@ struct FaceForces {
 
  private:
   /// How far the half cell beyond an open side is filled by what leaves with the speed `outflow`: 0 at rest, where
-  /// nothing lies outside, 1 in a flow much faster than a hundredth of sqrt(g d).
+  /// nothing lies outside, 1 in a flow much faster than a tenth of sqrt(g d).
   template <class Number>
   static Number filled_beyond(const Scene& scene, const Number& outflow) {
     const auto& g = scene.model.gravity;
-    const double slow = 1e-2 * std::sqrt(std::hypot(g[0], g[1], g[2]) * scene.solids.kinetic.d);
+    const double slow = 1e-1 * std::sqrt(std::hypot(g[0], g[1], g[2]) * scene.solids.kinetic.d);
     if (!(outflow > 0.0)) return Number(0.0);
     return outflow / (outflow + slow);
   }

@@ -22,7 +22,7 @@ namespace scree {
 /// fall in.
 template <class Number>
 Number surface_share(const Number& below, const Number& above) {
-  constexpr double nothing = 1e-5;  // voids are no surfaces, and what is left of particles there no bend for Newton
+  constexpr double nothing = 1e-9;  // voids may hold less than the root of the least number
   return integer_power(Number((below - above) / (below + above + nothing)), 64);
 }
 
@@ -58,7 +58,9 @@ struct SurfaceStress {
     if (!(compression > 0.0) || !(own > above)) return;
     constexpr double sinking = 1e-4;  // v_c over sqrt(|g| d)
     const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
-    const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (own - above);
+    const double floor = scene.model.solids_fraction_floor;
+    const Number dense = own / (own + floor);  // voids are no surfaces
+    const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
     const Number sigma = rate * mass * surface_share(own, above) * compression;
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
