@@ -58,8 +58,9 @@ struct SurfaceStress {
     if (!(compression > 0.0) || !(own > above)) return;
     constexpr double sinking = 1e-4;  // v_c over sqrt(|g| d)
     const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
-    const double floor = scene.model.solids_fraction_floor;
-    const Number dense = own / (own + floor);  // voids are no surfaces
+    constexpr double dilute =
+        1e-3;  // solids fraction; voids and thin rain are no surfaces, and Newton has no bend there
+    const Number dense = own * own / (own * own + dilute * dilute);
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
     const Number sigma = rate * mass * surface_share(own, above) * compression;
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
