@@ -6,6 +6,7 @@
 /// the work of that fall to the granular temperature, sum(v . grad p) = -sum(p div v) being exact here. So what of D's
 /// upper half cannot fall into the cell above rests on the lower half, as by a contact:
 ///     sigma = m |g| surface_share compression/v_c,   m = rho_s (nu_D - nu_above) h/2,   v_c = 1e-4 sqrt(|g| d)
+/// (it fades with the square of nu_D below 1e-3, so that Newton's method meets no bend in voids)
 /// with the speed `compression` > 0 at which the faces of D approach each other, 0 otherwise. Its work is >= 0 and goes
 /// to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid fall, expansion and
 /// leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with v_c, without a flux.
@@ -58,8 +59,7 @@ struct SurfaceStress {
     if (!(compression > 0.0) || !(own > above)) return;
     constexpr double sinking = 1e-4;  // v_c over sqrt(|g| d)
     const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
-    constexpr double dilute =
-        1e-3;  // solids fraction; voids and thin rain are no surfaces, and Newton has no bend there
+    constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
     const Number dense = own * own / (own * own + dilute * dilute);
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
     const Number sigma = rate * mass * surface_share(own, above) * compression;
