@@ -75,12 +75,12 @@ PetscErrorCode lag_friction(const DiscreteProblem& problem, double dt, Vec state
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode raise_temperature(const DiscreteProblem& problem, double dt, Vec guess) {
+PetscErrorCode raise_temperature(const DiscreteProblem& problem, double dt, double least_nu, Vec guess) {
   PetscFunctionBeginUser;
   const Model& model = problem.model();
   if (model.component<GranularEnergy>() < 0) PetscFunctionReturn(0);
-  PetscCall(
-      change(problem.dm(), guess, [&](const double* u, double* owned) { model.raise_temperature(u, dt, owned); }));
+  PetscCall(change(problem.dm(), guess,
+                   [&](const double* u, double* owned) { model.raise_temperature(u, dt, least_nu, owned); }));
   PetscFunctionReturn(0);
 }
 

@@ -59,7 +59,8 @@ PetscErrorCode NewtonLimits::pre_check(SNESLineSearch, Vec state, Vec step, Pets
       MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_LONG, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(state))));
   // Where Newton's method wanted T < 0 it may be on its way to nothing, away from a root above.
   const bool has_step = self.stage_->shift > 0;  // a steady problem has none
-  if (any > 0 && has_step) PetscCall(raise_temperature(self.problem_, 1 / self.stage_->shift, step));
+  if (any > 0 && has_step)
+    PetscCall(raise_temperature(self.problem_, 1 / self.stage_->shift, least_nu_with_production, step));
   PetscCall(VecAYPX(step, -1, state));
   *changed = any > 0 ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(0);

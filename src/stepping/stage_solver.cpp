@@ -175,7 +175,7 @@ PetscErrorCode StageSolver::guess(Vec state, bool after_failure) {
       history_.guess.considers_line())
     PetscCall(put_on_line(dt, state));
   PetscCall(limits_.apply(start_, state, true, &limited));
-  PetscCall(raise_temperature(problem_, dt, state));
+  PetscCall(raise_temperature(problem_, dt, least_nu_of_guess, state));
   PetscFunctionReturn(0);
 }
 

@@ -168,7 +168,7 @@ class System {
   System(DiscreteProblem& problem, Vec state, double time, double dt) : problem_(problem), time_(time), dt_(dt) {
     for (Vec* vector : {&guess_, &rate_, &right_side, &solution}) check(VecDuplicate(state, vector));
     check(VecCopy(state, guess_));
-    check(raise_temperature(problem, dt, guess_));  // as the program does
+    check(raise_temperature(problem, dt, least_nu_of_guess, guess_));  // as the program does
     check(VecWAXPY(rate_, -1, state, guess_));
     check(VecScale(rate_, 1 / dt));
     check(problem.residual(time + dt, guess_, rate_, right_side));

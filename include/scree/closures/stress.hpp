@@ -112,7 +112,7 @@ Number solids_energy_source(const SolidsPoint<Number>& q, const SolidsParameters
 /// that Newton's method would go astray; elsewhere T [m2/s2]. With production P sqrt(T) and dissipation J T^(3/2) a
 /// step from 0 ends below (P dt/c)^2, c = 3/2 rho_s nu, and below P/J.
 inline double raised_temperature(double nu, double T, double div_v, double S_S, double dt, const SolidsParameters& p) {
-  if (!(nu > 1e-4) || !(S_S > 0)) return T;            // in voids production says nothing: see production_share
+  if (!(S_S > 0)) return T;
   constexpr double cold = 1e-12, hot = 1, far = 1e-2;  // [m2/s2], [m2/s2], [-]
   const auto energy = [&](double at) {
     return cell_closure(nu, at, 1.0, div_v, S_S, 0.0, p)[CellClosure::energy_source];

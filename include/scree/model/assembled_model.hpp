@@ -126,12 +126,13 @@ class AssembledModel final : public Model {
   }
 
   void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
-                         [[maybe_unused]] double* owned) const override {
+                         [[maybe_unused]] double least_nu, [[maybe_unused]] double* owned) const override {
     if constexpr (L::has_T) {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
         if (!is_balance(L::T, I)) return;
         Local<CellBalances<L>, double> q;
         assembly_.gather(state, I, q);
+        if (!(q(L::nu) > least_nu)) return;
         const auto strain = cell_strain<L>(assembly_.scene, I, q);
         double& T = owned[assembly_.owned_unknown(L::T, I)];
         const double scale = assembly_.scale[L::T];

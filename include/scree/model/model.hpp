@@ -58,7 +58,8 @@ class Model {
   virtual void relax_chi(const double* state, double share, double* owned) const = 0;
   /// First guess of a step of dt: raises T of `owned` where it is far below what a step from `state` would give. From
   /// there Newton's method would find T < 0, which production ~ sqrt(T) makes a second way to a small residual.
-  virtual void raise_temperature(const double* state, double dt, double* owned) const = 0;
+  /// Cells below `least_nu` are left alone.
+  virtual void raise_temperature(const double* state, double dt, double least_nu, double* owned) const = 0;
   /// Values of derived_fields at the owned nodes in SI, one array a field in the order of Lattice::owned, 0 outside of
   /// the box.
   virtual std::vector<std::vector<double>> derived_values(const double* state) const = 0;

@@ -33,7 +33,13 @@ PetscErrorCode settle_pressure(const DiscreteProblem& problem, Vec state);
 
 /// Friction lagged by a step: chi of `state` after a step of dt of (23) without advection, or chi* itself.
 PetscErrorCode lag_friction(const DiscreteProblem& problem, double dt, Vec state);
-/// Raises T of a first guess where it is too cold for a step of dt, see Model::raise_temperature.
-PetscErrorCode raise_temperature(const DiscreteProblem& problem, double dt, Vec guess);
+/// Cells that the first guess of T is raised in hold more than this [-]: what velocities are left of an earlier step in
+/// thinner ones says nothing.
+inline constexpr double least_nu_of_guess = 0.02;
+/// Cells in which T is raised when Newton's method wanted T < 0 [-]: there is no production in thinner ones, see
+/// production_share.
+inline constexpr double least_nu_with_production = 1e-4;
+/// Raises T where it is too cold for a step of dt, see Model::raise_temperature.
+PetscErrorCode raise_temperature(const DiscreteProblem& problem, double dt, double least_nu, Vec guess);
 
 }  // namespace scree
