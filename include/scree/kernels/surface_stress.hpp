@@ -5,16 +5,18 @@
 /// above is empty. Without a stress that half of D would fall freely while no mass moves, and -p div v of D would hand
 /// the work of that fall to the granular temperature, sum(v . grad p) = -sum(p div v) being exact here. So what of D's
 /// upper half cannot fall into the cell above rests on the lower half, as by a contact:
-///     sigma = m |g| surface_share compression/v_c,   m = rho_s (nu_D - nu_above) h/2,   v_c = 1e-4 sqrt(|g| d)
-/// (it fades with the square of nu_D below 1e-3, so that Newton's method meets no bend in voids)
-/// with the speed `compression` > 0 at which the faces of D approach each other, 0 otherwise. Its work is >= 0 and goes
-/// to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid fall, expansion and
-/// leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with v_c, without a flux.
+///     sigma = m |g| surface_share closing,   m = rho_s (nu_D - nu_above) h/2,
+/// where m fades with the square of nu_D below 1e-3. `closing` is w^2/(2 v_c^2) up to v_c = 1e-4 sqrt(|g| d) and
+/// w/v_c - 1/2 from there on, w > 0 being the speed at which the faces of D approach each other; 0 where they part. Its
+/// work is >= 0 and goes to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid
+/// fall, expansion and leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with 1.5
+/// v_c, without a flux.
 #pragma once
 
 #include "scree/assembly/kernel.hpp"
 #include "scree/assembly/scene.hpp"
 #include "scree/balances/layout.hpp"
+#include "scree/math/rounded.hpp"
 
 namespace scree {
 
@@ -57,12 +59,12 @@ struct SurfaceStress {
     const Number& own = q(L::nu);
     const Number above = solids_fraction_above(scene, I, q, up);
     if (!(compression > 0.0) || !(own > above)) return;
-    constexpr double sinking = 1e-4;  // v_c over sqrt(|g| d)
-    const double rate = std::sqrt(std::abs(g) / scene.solids.kinetic.d) / sinking;
     constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
     const Number dense = own * own / (own * own + dilute * dilute);
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
-    const Number sigma = rate * mass * surface_share(own, above) * compression;
+    const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
+    const Number closing = rounded_maximum(Number(compression / v_c), 0.5, 0.5) - 0.5;
+    const Number sigma = (mass * std::abs(g)) * surface_share(own, above) * closing;
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
   }
