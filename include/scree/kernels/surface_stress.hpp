@@ -6,10 +6,10 @@
 /// the work of that fall to the granular temperature, sum(v . grad p) = -sum(p div v) being exact here. So what of D's
 /// upper half cannot fall into the cell above rests on the lower half, as by a contact:
 ///     sigma = m |g| surface_share closing,   m = rho_s (nu_D - nu_above) h/2,
-/// where m fades with the square of nu_D below 1e-3. `closing` is w^2/(2 v_c^2) up to v_c = 1e-4 sqrt(|g| d) and
-/// w/v_c - 1/2 from there on, w > 0 being the speed at which the faces of D approach each other; 0 where they part. Its
+/// where m fades with the square of nu_D below 1e-3. `closing` is (w/v_c)^2 up to v_c = 1e-4 sqrt(|g| d) and
+/// 2 w/v_c - 1 from there on, w > 0 being the speed at which the faces of D approach each other; 0 where they part. Its
 /// work is >= 0 and goes to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid
-/// fall, expansion and leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with 1.5
+/// fall, expansion and leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with
 /// v_c, without a flux.
 #pragma once
 
@@ -63,7 +63,7 @@ struct SurfaceStress {
     const Number dense = own * own / (own * own + dilute * dilute);
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
     const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
-    const Number closing = rounded_maximum(Number(compression / v_c), 0.5, 0.5) - 0.5;
+    const Number closing = rounded_maximum(Number(2.0 / v_c * compression), 1.0, 1.0) - 1.0;
     const Number sigma = (mass * std::abs(g)) * surface_share(own, above) * closing;
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
