@@ -6,11 +6,11 @@
 /// the work of that fall to the granular temperature, sum(v . grad p) = -sum(p div v) being exact here. So what of D's
 /// upper half cannot fall into the cell above rests on the lower half, as by a contact:
 ///     sigma = m |g| surface_share closing,   m = rho_s (nu_D - nu_above) h/2,
-/// where m fades with the square of nu_D below 1e-3. `closing` is (w/v_c)^2 up to v_c = 1e-4 sqrt(|g| d) and
-/// 2 w/v_c - 1 from there on, w > 0 being the speed at which the faces of D approach each other; 0 where they part. Its
-/// work is >= 0 and goes to heat, as that of friction does. Momentum and weight stay, since it is no outer force. Rigid
-/// fall, expansion and leading fronts do not feel it. At rest it carries the weight m |g| while the face sinks with
-/// v_c, without a flux.
+/// where m fades with the square of nu_D below 1e-3. `closing` is 1.1 w/v_c - 0.1, v_c = 1e-4 sqrt(|g| d), w being the
+/// speed at which the faces of D approach each other; a parabola rounds it off to 0 at w = 0, where every run from rest
+/// begins, and it stays 0 where they part. Its work is >= 0 and goes to heat, as that of friction does. Momentum and
+/// weight stay, since it is no outer force. Rigid fall, expansion and leading fronts do not feel it. At rest it carries
+/// the weight m |g| while the face sinks with v_c, without a flux.
 #pragma once
 
 #include "scree/assembly/kernel.hpp"
@@ -63,7 +63,8 @@ struct SurfaceStress {
     const Number dense = own * own / (own * own + dilute * dilute);
     const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
     const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
-    const Number closing = rounded_maximum(Number(2.0 / v_c * compression), 1.0, 1.0) - 1.0;
+    constexpr double soft = 0.1;
+    const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
     const Number sigma = (mass * std::abs(g)) * surface_share(own, above) * closing;
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
