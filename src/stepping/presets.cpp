@@ -128,15 +128,18 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
 }
 
 /// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core
-/// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid.
+/// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid. Where a scene has none of the three
+/// the core is all there is.
 PetscOptionList condensed(const std::vector<Field>& node, int dim) {
   std::string eliminated;
   for (const Field& field : node)
     if (field.unknown->acts_in_its_node)
       eliminated += (eliminated.empty() ? "" : ",") + std::to_string(field.component);
-  PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
   const PetscOptionList factor{{"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
-  for (const auto& option : with_prefix("condensed_core_", dim < 3 ? factor : multigrid_block)) list.push_back(option);
+  const PetscOptionList& core = dim < 3 ? factor : multigrid_block;
+  if (eliminated.empty()) return core;
+  PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
+  for (const auto& option : with_prefix("condensed_core_", core)) list.push_back(option);
   for (const auto& option : with_prefix("condensed_rest_", ilu_block)) list.push_back(option);
   return list;
 }

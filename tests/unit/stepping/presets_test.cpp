@@ -107,6 +107,16 @@ TEST_F(Presets, CondensedEliminatesWhatActsInItsNode) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "pc_condensed_eliminated"), "3,4");
 }
 
+// A cold scene with critical_state friction: a run comes to the preset by itself, and must go on.
+TEST_F(Presets, CondensedWithNothingToEliminateIsItsCore) {
+  const PetscOptionList in_plane =
+      preset_options(SolverPreset::condensed, Layout<2, false, false, GasModel::none>::fields({}));
+  EXPECT_EQ(option(in_plane, "pc_type"), "lu");
+  EXPECT_EQ(option(in_plane, "pc_factor_mat_solver_type"), "mumps");
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, Layout<3, false, false, GasModel::none>::fields({})), "pc_type"),
+            "gamg");
+}
+
 TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "condensed_core_pc_type"), "lu");
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "gamg");
