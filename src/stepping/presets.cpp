@@ -128,8 +128,8 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
 }
 
 /// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core
-/// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid. Where a scene has none of the three
-/// the core is all there is.
+/// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid. Where a scene has none of the
+/// three the core is all there is.
 PetscOptionList condensed(const std::vector<Field>& node, int dim) {
   std::string eliminated;
   for (const Field& field : node)

@@ -6,8 +6,6 @@
 ///
 /// `-given`: nu, T [m2/s2], v_x, v_y [m/s], dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy [1/s], cell sizes [m] of the only base
 /// state instead of the four built in.
-#include <slepcsys.h>
-
 #include <cstdio>
 #include <functional>
 
@@ -36,13 +34,7 @@ class Waves {
       : symbol_(setup_of(model, tau, scheme), base) {}
 
   /// Growth rate of the fastest growing wave of this phase [1/s].
-  double rate(const Wave& kh) const {
-    Matrix A = symbol_.state_part(kh);
-    for (Complex& entry : A.entry) entry = -entry;
-    double greatest = -1e300;
-    for (const Complex& lambda : eigenvalues(A, symbol_.rate_part(kh))) greatest = std::max(greatest, lambda.real());
-    return greatest;
-  }
+  double rate(const Wave& kh) const { return growth_rate(symbol_, kh); }
 
  private:
   Symbol symbol_;
@@ -197,12 +189,12 @@ void write_tables() {
 }  // namespace scree::test
 
 int main(int argc, char** argv) {
-  if (SlepcInitialize(&argc, &argv, nullptr, nullptr) != 0) return 1;
+  if (PetscInitialize(&argc, &argv, nullptr, nullptr) != 0) return 1;
   try {
     scree::test::write_tables();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "flutter_growth: %s\n", error.what());
     return 1;
   }
-  return SlepcFinalize() == 0 ? 0 : 1;
+  return PetscFinalize() == 0 ? 0 : 1;
 }

@@ -1,19 +1,17 @@
 #include "symbol.hpp"
 
-#include <slepcds.h>
+#include <petscksp.h>
 
 namespace scree::test {
 
 namespace {
 
 constexpr int cells = 15, middle = 7;
-/// Relative slope of nu, T and chi, so that limiters see the smooth side; too small for anything else.
-constexpr double slight = 1e-7;
 
 double base_value(const BaseState& base, double chi, const Field& field, const Index& I) {
   std::array<double, 2> x{};
   for (int a = 0; a < 2; ++a) x[a] = (I[a] - middle + (field.face_axis == a ? -0.5 : 0.0)) * base.cell[a];
-  const double slope = 1 + slight * (x[0] / base.cell[0] + 0.7 * x[1] / base.cell[1]);
+  const double slope = 1 + base.slope * (x[0] / base.cell[0] + 0.7 * x[1] / base.cell[1]);
   if (field.symbol == "nu") return base.nu * slope;
   if (field.symbol == "T") return base.T * slope;
   if (field.symbol == "chi") return chi * slope;
@@ -34,18 +32,19 @@ Symbol::Symbol(const ProblemSetup& parameters, const BaseState& base) {
   ProblemSetup setup = parameters;
   setup.box = box_of(base);
   setup.segments = all_sides(setup.box, condition(BoundaryKind::open));
-  const FrictionParameters& friction = setup.solids.friction;
-  const double chi = chi_star(base.div_v(), fluctuating_strain_rate(base.S_S(), base.T, friction), friction);
+  const double chi = steady_chi(base, setup.solids);
   Evaluation problem(PETSC_COMM_SELF, setup);
   unknowns_ = problem.unknowns();
   chi_ = problem.component("chi");
   const Values state =
       problem.values([&](const Field& field, const Index& I) { return base_value(base, chi, field, I); });
   state_ = rows(problem, state, 0);
-  rate_ = rows(problem, state, 1);
+  constexpr double shift = 1e30;  // next to it the state part is nothing, however small the cells
+  rate_ = rows(problem, state, shift);
   for (auto& [place, value] : rate_) {
     const auto same = state_.find(place);
     if (same != state_.end()) value -= same->second;
+    value /= shift;
   }
 }
 
@@ -104,27 +103,56 @@ Matrix quotient(Matrix B, Matrix A) {
 std::vector<Complex> eigenvalues(const Matrix& A, const Matrix& B) {
   const Matrix C = quotient(B, A);
   const int n = C.size, lead = 2 * n;
-  DS system;  // [Re -Im; Im Re]: each eigenvalue and its conjugate. Unsorted: sorting fails where two are equal.
-  check(DSCreate(PETSC_COMM_SELF, &system));
-  check(DSSetType(system, DSNHEP));
-  check(DSAllocate(system, lead));
-  check(DSSetDimensions(system, lead, 0, 0));
+  Mat system;  // [Re -Im; Im Re]: each eigenvalue and its conjugate
+  check(MatCreateSeqDense(PETSC_COMM_SELF, lead, lead, nullptr, &system));
   double* real;
-  check(DSGetArray(system, DS_MAT_A, &real));
+  check(MatDenseGetArray(system, &real));
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       real[i + j * lead] = real[n + i + (n + j) * lead] = C(i, j).real();
       real[n + i + j * lead] = C(i, j).imag();
       real[i + (n + j) * lead] = -C(i, j).imag();
     }
-  check(DSRestoreArray(system, DS_MAT_A, &real));
-  check(DSSetState(system, DS_STATE_RAW));
+  check(MatDenseRestoreArray(system, &real));
+  check(MatAssemblyBegin(system, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(system, MAT_FINAL_ASSEMBLY));
+  KSP solver;  // its operator without a preconditioner is the matrix
+  PC none;
+  check(KSPCreate(PETSC_COMM_SELF, &solver));
+  check(KSPSetOperators(solver, system, system));
+  check(KSPSetType(solver, KSPGMRES));
+  check(KSPGetPC(solver, &none));
+  check(PCSetType(none, PCNONE));
+  check(KSPSetUp(solver));
   std::vector<double> real_parts(static_cast<std::size_t>(lead)), imaginary_parts(real_parts);
-  check(DSSolve(system, real_parts.data(), imaginary_parts.data()));
-  check(DSDestroy(&system));
+  check(KSPComputeEigenvaluesExplicitly(solver, lead, real_parts.data(), imaginary_parts.data()));
+  check(KSPDestroy(&solver));
+  check(MatDestroy(&system));
   std::vector<Complex> values;
   for (std::size_t k = 0; k < real_parts.size(); ++k) values.emplace_back(real_parts[k], imaginary_parts[k]);
   return values;
+}
+
+double steady_chi(const BaseState& base, const SolidsParameters& solids) {
+  double chi = 1;
+  const auto steady = [&](double at) {
+    return cell_closure(base.nu, base.T, at, base.div_v(), base.S_S(), 0.0, solids)[CellClosure::chi_star];
+  };
+  for (int iteration = 0; iteration < 100; ++iteration) chi = steady(chi);
+  return chi;
+}
+
+double steady_temperature(const BaseState& base, SolidsParameters solids) {
+  solids.temperature = TemperatureModel::algebraic;
+  return cell_closure(base.nu, base.T, 1.0, base.div_v(), base.S_S(), 0.0, solids)[CellClosure::temperature];
+}
+
+double growth_rate(const Symbol& symbol, const std::array<double, 2>& kh) {
+  Matrix A = symbol.state_part(kh);
+  for (Complex& entry : A.entry) entry = -entry;
+  double greatest = -1e300;
+  for (const Complex& lambda : eigenvalues(A, symbol.rate_part(kh))) greatest = std::max(greatest, lambda.real());
+  return greatest;
 }
 
 }  // namespace scree::test

@@ -19,6 +19,8 @@ struct BaseState {
   std::array<double, 2> velocity;                 ///< at the node whose rows are taken
   std::array<std::array<double, 2>, 2> gradient;  ///< dv_i/dx_j [1/s]
   std::array<double, 2> cell;                     ///< sizes [m]
+  /// Relative slope of nu, T and chi a cell, so that limiters see the smooth side; too small for anything else.
+  double slope = 1e-7;
 
   double div_v() const { return gradient[0][0] + gradient[1][1]; }
   /// Of the three-dimensional deviator.
@@ -58,7 +60,15 @@ class Symbol {
   Stencil state_, rate_;
 };
 
-/// Eigenvalues of A x = lambda B x by SLEPc, B not singular.
+/// Eigenvalues of A x = lambda B x, B not singular; each comes with its conjugate.
 std::vector<Complex> eigenvalues(const Matrix& A, const Matrix& B);
+
+/// chi that stays about the base state: chi* where M(I) makes it depend on chi itself, by iteration.
+double steady_chi(const BaseState& base, const SolidsParameters& solids);
+/// T of the base state's strain rate by production = dissipation; its own T is not read [m2/s2].
+double steady_temperature(const BaseState& base, SolidsParameters solids);
+
+/// Growth rate of the fastest growing wave of this phase, continuous in time [1/s].
+double growth_rate(const Symbol& symbol, const std::array<double, 2>& kh);
 
 }  // namespace scree::test

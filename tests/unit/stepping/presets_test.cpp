@@ -113,8 +113,9 @@ TEST_F(Presets, CondensedWithNothingToEliminateIsItsCore) {
       preset_options(SolverPreset::condensed, Layout<2, false, false, GasModel::none>::fields({}));
   EXPECT_EQ(option(in_plane, "pc_type"), "lu");
   EXPECT_EQ(option(in_plane, "pc_factor_mat_solver_type"), "mumps");
-  EXPECT_EQ(option(preset_options(SolverPreset::condensed, Layout<3, false, false, GasModel::none>::fields({})), "pc_type"),
-            "gamg");
+  EXPECT_EQ(
+      option(preset_options(SolverPreset::condensed, Layout<3, false, false, GasModel::none>::fields({})), "pc_type"),
+      "gamg");
 }
 
 TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
