@@ -11,8 +11,9 @@ number, in OUT/rates.csv. OUT/laws.csv and the screen have a line for each base 
 
     greatest     greatest growth rate over the rate of shear, of waves down to k d = 1: six diameters long
     shortest     the same of the shortest wave that was looked at, k d = 1e4
-    exponent     d ln(growth)/d ln(k) there; nan where no wave grows
-    verdict      well-posed where growth does not rise with k in the end, ill-posed where it does
+    exponent     d ln(growth)/d ln(k) over the last decade; nan where the shortest waves decay
+    verdict      `decay`: the shortest waves do; `bounded`: they grow, no faster the shorter they are; `ill-posed`: growth
+                 rises with k without a bound, and a finer grid shows another flow
 
 With --case the law is that of a case file, with options behind it, and the built-in ones are left out."""
 import argparse
@@ -74,11 +75,12 @@ def verdicts(rows):
         k, growth = (np.array([row[key] for row in here]) for key in ("k_d", "growth"))
         growth = growth / here[0]["strain_rate"]
         decade = np.argmin(abs(np.log(k / (k[-1] / 10))))
-        grows = growth[-1] > 0 and growth[decade] > 0
+        grows = min(growth[-1], growth[decade]) > 0
         exponent = np.log(growth[-1] / growth[decade]) / np.log(k[-1] / k[decade]) if grows else np.nan
         lines.append({**dict(zip(KEYS, state)), "strain_rate": here[0]["strain_rate"], "temperature": here[0]["temperature"],
                       "chi": here[0]["chi"], "greatest": growth[k < 1.001].max(), "shortest": growth[-1],
-                      "exponent": exponent, "verdict": "ill-posed" if exponent > BOUNDED else "well-posed"})
+                      "exponent": exponent,
+                      "verdict": "decay" if growth[-1] <= 0 else "ill-posed" if exponent > BOUNDED else "bounded"})
     return lines
 
 

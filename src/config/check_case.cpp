@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 
+#include "scree/closures/inertial.hpp"
 #include "scree/config/case_options.hpp"
 #include "scree/config/side_samples.hpp"
 
@@ -130,16 +131,24 @@ void check_region(const Case& the_case, const InitialRegion& region) {
                      "a friction_model other than none, for p_c (18) carries the column");
 }
 
+const char* name_of(FrictionCoefficient coefficient) {
+  if (coefficient == FrictionCoefficient::cidr) return "cidr";
+  return coefficient == FrictionCoefficient::mu_i ? "mu_i" : "mu_i_regularised";
+}
+
 /// M(I): known to the models that take it, and growing with I.
 void check_friction_coefficient(const FrictionParameters& friction) {
   if (!friction.model->has_friction || friction.coefficient == FrictionCoefficient::constant) return;
   if (friction.model != FrictionModel::critical_state && friction.model != FrictionModel::relaxed)
-    throw InputError("friction_coefficient", friction.coefficient == FrictionCoefficient::cidr ? "cidr" : "mu_i",
+    throw InputError("friction_coefficient", name_of(friction.coefficient),
                      std::string("constant for friction_model ") + friction.model->name +
                          "; critical_state and relaxed take another one");
   if (!(friction.mu_2 >= std::sin(friction.phi)))
     throw InputError("friction_coefficient_limit", number_text(friction.mu_2),
                      "at least sin(friction_angle) = " + number_text(std::sin(friction.phi), 6));
+  if (friction.coefficient == FrictionCoefficient::mu_i_regularised && std::isnan(neutral_inertial_number(friction)))
+    throw InputError("friction_coefficient", name_of(friction.coefficient),
+                     "cidr: with this friction_angle and friction_coefficient_limit mu(I) is well-posed at no I");
 }
 
 /// The fits of effective restitution end where it does.

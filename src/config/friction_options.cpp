@@ -32,11 +32,13 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
   o.choice("friction_coefficient", friction.coefficient,
            {{"constant", FrictionCoefficient::constant},
             {"mu_i", FrictionCoefficient::mu_i},
-            {"cidr", FrictionCoefficient::cidr}},
+            {"cidr", FrictionCoefficient::cidr},
+            {"mu_i_regularised", FrictionCoefficient::mu_i_regularised}},
            "M of (14) and (20). constant: sin(friction_angle); mu_i: M(I) of Jop, Forterre & Pouliquen (2006) from "
            "sin(friction_angle) to friction_coefficient_limit, with the flow rule (13); cidr: with the flow rule that "
-           "Barker et al. (2017) ask for, which is well-posed. I has the strain rate of (20). The last two are one "
-           "under critical_state")
+           "Barker et al. (2017) ask for, which is well-posed; mu_i_regularised: as mu_i, with the M of Barker & "
+           "Gray (2017) in slow and fast flow. I has the strain rate of (20). mu_i and cidr are one under "
+           "critical_state")
       .symbol("M")
       .used_if(some, absent);
   const bool inertial = some && friction.coefficient != FrictionCoefficient::constant;

@@ -244,9 +244,11 @@ inline std::vector<NamedScene> scenes_of_gas(const ProblemSetup& base) {
 
 /// M(I) and its flow rules.
 inline std::vector<NamedScene> scenes_of_inertial_friction(const ProblemSetup& base) {
-  std::vector<NamedScene> scenes{{"mu(I)", base}, {"mu(I), consistent flow rule", base}};
+  std::vector<NamedScene> scenes{{"mu(I)", base}, {"mu(I), consistent flow rule", base}, {"mu(I), regularised", base}};
   scenes[0].setup.solids.friction.coefficient = FrictionCoefficient::mu_i;
   scenes[1].setup.solids.friction.coefficient = FrictionCoefficient::cidr;
+  scenes[2].setup.solids.friction.coefficient = FrictionCoefficient::mu_i_regularised;
+  scenes[2].setup.solids.friction.phi = std::asin(.3819);
   return scenes;
 }
 

@@ -31,8 +31,9 @@ class FrictionModel {
 std::vector<FrictionModel>& friction_models();
 
 /// M of the yield surface, sin(phi) in the paper. constant: sin(phi). mu_i: M(I) with the flow rule (13) as it is;
-/// cidr: with the one that belongs to it (inertial.hpp).
-enum class FrictionCoefficient { constant, mu_i, cidr };
+/// cidr: with the one that belongs to it; mu_i_regularised: as mu_i, with another M at small and great I
+/// (inertial.hpp).
+enum class FrictionCoefficient { constant, mu_i, cidr, mu_i_regularised };
 
 /// Parameters of the frictional closures (SI units).
 struct FrictionParameters {

@@ -28,7 +28,8 @@ FrictionParameters glass(FrictionCoefficient coefficient) {
   return p;
 }
 
-constexpr FrictionCoefficient inertial_coefficients_offered[] = {FrictionCoefficient::mu_i, FrictionCoefficient::cidr};
+constexpr FrictionCoefficient inertial_coefficients_offered[] = {FrictionCoefficient::mu_i, FrictionCoefficient::cidr,
+                                                                 FrictionCoefficient::mu_i_regularised};
 
 /// gamma [1/s] that gives the inertial number I.
 double rate_of(double I, double p_f, const FrictionParameters& p) { return I / (p.d * std::sqrt(2 * p.rho_s / p_f)); }
@@ -54,6 +55,24 @@ TEST(Inertial, SimpleShear) {  // 1000 dyn/cm2
     EXPECT_NEAR(ratio(stress<CriticalState>(100.0, 1.0, 0.0, gamma, p), gamma), row.mu, 1e-10);
     EXPECT_NEAR(ratio(stress<Relaxed>(100.0, 1.0, 0.0, gamma, p), gamma), row.mu, 1e-10);
   }
+}
+
+// The numbers of I_1 and A are by root finding apart; an OpenFOAM module for the law of Barker & Gray (2017) has the
+// parameters of the second glass in its tutorial.
+TEST(Inertial, RegularisedCoefficient) {
+  FrictionParameters p = glass(FrictionCoefficient::mu_i_regularised);
+  EXPECT_NEAR(neutral_inertial_number(p), .0192883868, 1e-10);
+  p.phi = std::asin(.342);
+  p.mu_2 = .557;
+  p.I_0 = .069;
+  const double I_1 = neutral_inertial_number(p);
+  EXPECT_NEAR(I_1, .0039717827, 1e-10);
+  const auto M = [&](double I) { return inertial_coefficients(100.0, rate_of(I, 100, p), p)[0]; };
+  EXPECT_NEAR(M(1e-3), std::sqrt(1.9 / std::log(15642.40839837 / 1e-3)), 1e-10);
+  EXPECT_NEAR(M(I_1 * (1 - 1e-12)), M(I_1 * (1 + 1e-12)), 1e-12);
+  EXPECT_NEAR(M(10), (.342 * .069 + .557 * 10 + .05 * 100) / 10.069, 1e-12);
+  p.phi = std::asin(.47);
+  EXPECT_TRUE(std::isnan(neutral_inertial_number(p)));
 }
 
 /// M, Mbar by the integral, and where `cidr` shears without change of volume: chi and shear stress over p_f, by solving
@@ -142,6 +161,7 @@ TEST(Inertial, ConsistentFlowRuleIsWellPosed) {
 TEST(Inertial, ConstantCoefficientIsALimit) {
   for (const FrictionCoefficient coefficient : inertial_coefficients_offered) {
     FrictionParameters p = glass(coefficient), constant = glass(FrictionCoefficient::constant);
+    if (coefficient == FrictionCoefficient::mu_i_regularised) continue;  // has no such limit
     p.mu_2 = std::sin(p.phi);
     for (const double chi : {.5, .97, 1.05})
       for (const double div_v : {-50.0, -1.0, -.01, .01, 1.0}) {

@@ -51,6 +51,10 @@ TEST_F(ClosureOptions, EveryVariantCanBeChosen) {
   EXPECT_EQ(choose("correlation_length", "none").kinetic.length, nullptr);
   EXPECT_EQ(choose("friction_coefficient", "mu_i").friction.coefficient, FrictionCoefficient::mu_i);
   EXPECT_EQ(choose("friction_coefficient", "cidr").friction.coefficient, FrictionCoefficient::cidr);
+  clear();
+  small_bin();
+  yaml("friction: {angle: 20.9 deg, coefficient: mu_i_regularised}");
+  EXPECT_EQ(read_case().friction.coefficient, FrictionCoefficient::mu_i_regularised);
   for (const FrictionModel model : friction_models())
     EXPECT_TRUE(choose("friction_model", model->name).friction.model == model);
 }
@@ -62,7 +66,7 @@ TEST_F(ClosureOptions, WrongNamesListTheRightOnes) {
       {"friction_pressure", "power, schaeffer"},
       {"effective_restitution", "chialvo_sundaresan, jenkins_zhang"},
       {"correlation_length", "none, jenkins, berzi_vescovi"},
-      {"friction_coefficient", "constant, mu_i, cidr"},
+      {"friction_coefficient", "constant, mu_i, cidr, mu_i_regularised"},
       {"friction_model", "none, critical_state, instantaneous, relaxed"}};
   for (const auto& [key, names] : rows) {
     clear();
