@@ -2,7 +2,7 @@
 """Growth rates of short waves about homogeneous shear under each stress law: where the law is well-posed.
 
     scripts/growth_rates.py [--build build] [--out out/growth_rates] [--case CASE.yaml [-option value ...]]
-                            [--nu 0.55,0.60] [--I 1e-4,1e-3,...] [--ratio 0,-0.1,0.1] [--laws NAME,...]
+                            [--nu 0.55,0.60] [--I 1e-4,1e-3,...] [--ratio 0,-0.1,0.1] [--laws 'NAME; ...']
 
 The rates are eigenvalues of the program's own Jacobian, by the program growth_rates of the tests
 (tests/stability/growth/growth_rates.cpp), which says what a base state is. Each law is a set of options of a case. Of
@@ -127,7 +127,7 @@ def arguments():
     parser.add_argument("--nu", type=numbers, default=[0.6, 0.55], metavar="NU,...")
     parser.add_argument("--I", type=numbers, default=[1e-4, 1e-3, 1e-2, 1e-1, 1.0], metavar="I,...")
     parser.add_argument("--ratio", type=numbers, default=[0.0, -0.1, 0.1], metavar="RATIO,...", help="div v over the rate of shear")
-    parser.add_argument("--laws", metavar="NAME,...", help="; between them: " + "; ".join(LAWS))
+    parser.add_argument("--laws", metavar="'NAME; ...'", help="some of: " + "; ".join(LAWS))
     given, options = parser.parse_known_args()
     if options and not given.case:
         parser.error(f"{options[0]}: options of a case need --case")

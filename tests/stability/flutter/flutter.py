@@ -1,5 +1,5 @@
 """H8: the grid-scale flutter of `instantaneous` friction. It belongs to a scheme that takes chi from the state before
-the step, not to the model: growth rates of the discrete operator (flutter_growth, by SLEPc), a formula, and a column
+the step, not to the model: growth rates of the discrete operator (flutter_growth), a formula, and a column
 that dilates slowly."""
 import csv
 import subprocess
@@ -136,7 +136,7 @@ if tool and not Path(tool).exists():
 if tool:
     check_linear()
 else:
-    print("  without --growth flutter_growth (SLEPc): nonlinear runs only")
+    print("  without --growth flutter_growth: nonlinear runs only")
 coupled, flutter, short = check_column()
 measured = check_factor(flutter, 0, "instantaneous, lagged")
 check_factor(short, STEP / 10, "relaxed, dt = 10 tau, lagged")

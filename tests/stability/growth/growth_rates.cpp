@@ -106,7 +106,9 @@ void write_rates(const Case& scene) {
   const ProblemSetup setup = problem_setup(scene);
   if (setup.box.dim != 2)
     throw InputError("dimension", std::to_string(setup.box.dim), "2: waves are those of plane flow");
-  if (setup.solids.gas.model != GasModel::none) throw InputError("gas", "", "none: waves are those of particles alone");
+  if (setup.solids.gas.model != GasModel::none)
+    throw InputError("gas", setup.solids.gas.model == GasModel::darcy ? "darcy" : "incompressible",
+                     "none: waves are those of particles alone");
   if (!setup.solids.friction.model->has_friction)
     throw InputError("friction_model", "none", "a law of friction to look at");
   std::printf("nu,I,ratio,k_d,strain_rate,temperature,chi,growth,angle\n");
