@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scree/kernels/cell_strain.hpp"
+#include "scree/kernels/surface_stress.hpp"
 
 namespace scree {
 
@@ -64,7 +65,7 @@ struct EdgeStress {
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
     const auto slip_squared = edge_slip_squared<L>(
         scene, I, q, a, b, nu, [&](int axis, const Index& face) { return before_sides(scene, I, face, axis); });
-    const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, q(L::nu, cell)); });
+    const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, I, q, cell); });
     const Number mu = through(
         [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
             const auto& slip_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
@@ -81,13 +82,25 @@ struct EdgeStress {
   }
 
  private:
-  /// p_c (18) of a cell. An edge takes the mean of its cells, not p_c at their mean nu, which is nothing beside a
-  /// partly filled cell: the row at a surface would slide on the bed without friction. Where nu is smooth the two
-  /// differ by the square of the cell.
+  /// The pressure of friction in a cell. An edge takes the mean of its cells, not p_c (18) at their mean nu, which is
+  /// nothing beside a partly filled cell: the row at a surface would slide on the bed without friction. Where nu is
+  /// smooth the two differ by the square of the cell. A partly filled cell that rests on the one below presses on it.
   template <class Number>
-  static Number pressure_in(const Scene& scene, const Number& nu) {
+  static Number pressure_in(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, const Index& cell) {
     const FrictionParameters& friction = scene.solids.friction;
-    return friction.model->has_friction ? critical_pressure(nu, friction) : Number(0.0);
+    if (!friction.model->has_friction) return Number(0.0);
+    Number p = critical_pressure(q(L::nu, cell), friction);
+    for (const int axis : {a, b}) {
+      const double g = scene.gravity[axis];
+      const bool upper = (cell[axis] == 0) == (g < 0);
+      if (g == 0 || !upper || on_side_of_axis(scene, axis, I)) continue;
+      const Index below = cell + (g < 0 ? -1 : 1) * unit(axis);
+      if (scene.barrier(axis, I + (g < 0 ? cell : below))) continue;
+      p = resting_pressure(p, half_weight(scene, I + cell, axis, q(L::nu, cell)),
+                           critical_pressure(q(L::nu, below), friction),
+                           half_weight(scene, I + below, axis, q(L::nu, below)));
+    }
+    return p;
   }
 
   /// Whether the edge lies on one side of the box, between two cells, and an open part of that side is beside it.

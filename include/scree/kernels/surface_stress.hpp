@@ -29,6 +29,69 @@ Number surface_share(const Number& below, const Number& above) {
   return integer_power(Number((below - above) / (below + above + nothing)), 64);
 }
 
+/// Weight of half of cell I along `axis` over the area below it [Pa].
+template <class Number>
+Number half_weight(const Scene& scene, const Index& I, int axis, const Number& nu) {
+  return (0.5 * scene.solids.kinetic.rho_s * std::abs(scene.gravity[axis]) * scene.cell_length(axis, I)) * nu;
+}
+
+/// The stress with which a partly filled cell presses on what it lies on [Pa], for friction on the edges between the
+/// two: at rest half of its weight, which is sigma above, where its own p_c is less. That it rests is told by the cell
+/// below, whose p_c carries all of the upper cell and half of its own weight then. Elsewhere it is p_c.
+template <class Number>
+Number resting_pressure(const Number& p_c, const Number& weight, const Number& p_c_below, const Number& weight_below) {
+  constexpr double soft = 0.1, nothing = 1e-9;  // Pa
+  if (!(weight > nothing) || p_c > (1 + soft) * weight) return p_c;
+  const Number missing = 1.0 - p_c / weight;
+  const Number carried = (p_c_below - weight_below - weight - p_c) / weight;
+  const Number share = missing + rounded_minimum(Number(carried - missing), 0, soft);
+  return p_c + weight * rounded_maximum(share, 0, soft);
+}
+
+/// A stress normal to a wall under the particles of a cell, from that in the cell: the weight of the half cell between
+/// the two presses on the wall as far as the particles rest on each other [Pa]. `sign` is -1 for a wall over them.
+template <class Number>
+Number pressure_at_wall(const Number& p, const Number& weight, int sign) {
+  constexpr double soft = 0.1, nothing = 1e-9;  // Pa
+  if (!(p > 0.0) || !(weight > nothing)) return p;
+  return p + sign * weight * rounded_minimum(Number(p / weight), 1.0, soft);
+}
+
+/// What lies over cell I against gravity: what may fall in [-]. A wall over the cell leaves no surface.
+template <class L, class Q>
+auto solids_fraction_above(const Scene& scene, const Index& I, const Q& q, int axis) {
+  using Number = std::decay_t<decltype(q(L::nu))>;
+  const Index e = unit(axis);
+  const int up = scene.gravity[axis] < 0 ? 1 : -1;
+  const Index face = up > 0 ? I + e : I;
+  if (scene.barrier(axis, face)) {
+    const Condition& condition = scene.condition(axis, face);
+    if (condition.kind.stops_solids()) return q(L::nu);
+    return Number(condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0);
+  }
+  const Number& above = q(L::nu, up * e);
+  return above > 0.0 ? above : Number(0.0);
+}
+
+/// sigma of cell I along `axis` [Pa].
+template <class L, class Q>
+auto surface_stress(const Scene& scene, const Index& I, const Q& q, int axis) {
+  using Number = std::decay_t<decltype(q(L::nu))>;
+  const double g = scene.gravity[axis];
+  const Number compression = q(L::v(axis)) - q(L::v(axis), unit(axis));
+  const Number& own = q(L::nu);
+  if (g == 0 || !(compression > 0.0)) return Number(0.0);
+  const Number above = solids_fraction_above<L>(scene, I, q, axis);
+  if (!(own > above)) return Number(0.0);
+  constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
+  const Number dense = own * own / (own * own + dilute * dilute);
+  const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
+  const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
+  constexpr double soft = 0.1;
+  const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
+  return Number((mass * std::abs(g)) * surface_share(own, above) * closing);
+}
+
 /// Anchor I: cell I.
 template <class L, int axis>
 struct SurfaceStress {
@@ -53,36 +116,9 @@ struct SurfaceStress {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
                        std::array<Number, count>& r) {
-    const double g = scene.gravity[axis];
-    const int up = g < 0 ? 1 : -1;
-    const Number compression = q(L::v(axis)) - q(L::v(axis), e);
-    const Number& own = q(L::nu);
-    const Number above = solids_fraction_above(scene, I, q, up);
-    if (!(compression > 0.0) || !(own > above)) return;
-    constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
-    const Number dense = own * own / (own * own + dilute * dilute);
-    const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
-    const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
-    constexpr double soft = 0.1;
-    const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
-    const Number sigma = (mass * std::abs(g)) * surface_share(own, above) * closing;
+    const Number sigma = surface_stress<L>(scene, I, q, axis);
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
-  }
-
- private:
-  /// Of the cell against gravity: what may fall in. A wall over the cell leaves no surface.
-  template <class Number>
-  static Number solids_fraction_above(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
-                                      int up) {
-    const Index face = up > 0 ? I + e : I;
-    if (scene.barrier(axis, face)) {
-      const Condition& condition = scene.condition(axis, face);
-      if (condition.kind.stops_solids()) return q(L::nu);
-      return Number(condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0);
-    }
-    const Number& above = q(L::nu, up * e);
-    return above > 0.0 ? above : Number(0.0);
   }
 };
 

@@ -3,13 +3,20 @@
 #pragma once
 
 #include "scree/kernels/cell_strain.hpp"
+#include "scree/kernels/surface_stress.hpp"
 
 namespace scree {
 
 /// Anchor I: a cell with a wall. Each velocity along the wall takes the part of the wall stress that lies in this cell.
 template <class L>
 struct WallLaws {
-  static constexpr StencilBuilder stencil = cell_stencil<L>();
+  static constexpr StencilBuilder make_stencil() {
+    StencilBuilder s = cell_stencil<L>();
+    for (int axis = 0; axis < L::dim; ++axis)
+      for (int side = -1; side <= 1; side += 2) s.add(L::nu, side * unit(axis));
+    return s;
+  }
+  static constexpr StencilBuilder stencil = make_stencil();
 
   static constexpr int T_row = 2 * L::dim;
   static constexpr int row_count = T_row + (L::has_T ? 1 : 0);
@@ -82,6 +89,17 @@ struct WallLaws {
     return scene.barrier(axis, face) && scene.kind(axis, face).shears_solids();
   }
 
+  /// A frictional stress normal to the wall, from that of the cell [Pa].
+  template <class Number>
+  static Number at_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
+                        const Number& in_cell) {
+    const double g = scene.gravity[axis];
+    if (g == 0) return in_cell;
+    const bool below = (g < 0) == (end == End::lower);
+    return pressure_at_wall(Number(in_cell + surface_stress<L>(scene, I, q, axis)),
+                            half_weight(scene, I, axis, q(L::nu)), below ? 1 : -1);
+  }
+
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
   template <class Q>
   static auto wall_slip(const Q& q, const Condition& wall, int t, int side) {
@@ -116,7 +134,7 @@ struct WallLaws {
                               std::array<Number, count>& r) {
     const KineticParameters& kinetic = scene.solids.kinetic;
     const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
-    const Number N = SolidsMomentum::normal_stress(p_f, mu_f, strain.S(axis));
+    const Number N = at_wall(scene, I, q, axis, end, SolidsMomentum::normal_stress(p_f, mu_f, strain.S(axis)));
     const Number k = mu / scene.distance_to_face(axis, I);
     Number sqrt_T_wall = sqrt_T;
     if constexpr (L::has_T) {
@@ -177,7 +195,9 @@ struct WallLaws {
   static void no_slip(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                       const Strain& strain, const Condition& wall, std::array<Number, count>& r) {
     const FrictionParameters& friction = scene.solids.friction;
-    const Number p_c = friction.model->has_friction ? critical_pressure(q(L::nu), friction) : Number(0.0);
+    const Number p_c = friction.model->has_friction
+                           ? at_wall(scene, I, q, axis, end, critical_pressure(q(L::nu), friction))
+                           : Number(0.0);
     const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
