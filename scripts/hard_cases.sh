@@ -10,6 +10,7 @@ Usage: scripts/hard_cases.sh [-o OUT] [NAME ...]
     lip_long     H9: rate of discharge on 2, 1, .5 mm cells, order, extrapolated value, mirror symmetry
     fine_bin_long  H10: 100 um bin with air for 5 s, and with its bottom closed
     bubble_symmetry_long  H11: bubble on the full width, 3 and 1.5 mm cells
+    collapse_long  H18: columns of aspect ratio 1, 3, 7
     flutter_long H8: the plug of the bin with friction coupled and lagged
 
 What is done (OUT/NAME/checks.json is there) is skipped, what was interrupted starts anew; the exit code says whether all
@@ -25,7 +26,7 @@ TEXT
 }
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-all=(lip_long fine_bin_long bubble_symmetry_long flutter_long)
+all=(lip_long fine_bin_long bubble_symmetry_long collapse_long flutter_long)
 out=$root/out/hard_cases
 while [ $# -gt 0 ]; do
   case $1 in
