@@ -16,6 +16,7 @@ namespace {
 
 constexpr double terminal_interval = 0.2;  ///< between two looks of the line on a terminal [s]
 constexpr double rate_window = 2;          ///< wall time over which the rate is taken at least [s]
+constexpr double told_from = 0.01;         ///< part of the run before which its first, tiny steps would promise days
 
 /// Whether standard output ends on a terminal. Open MPI hands each rank a terminal of its own, wherever the output
 /// goes; what counts there is that of mpirun, the parent of rank 0 (on another node: its daemon, which has none).
@@ -45,7 +46,8 @@ std::string progress_line(int step, double time, double dt, double start_time, d
   std::string line = text;
   if (rate > 0) {
     std::snprintf(text, sizeof text, "  rate %.3g s/s", rate);
-    line += text + ("  left " + duration(std::max(0.0, end_time - time) / rate));
+    line += text;
+    if (done >= told_from) line += "  left " + duration(std::max(0.0, end_time - time) / rate);
   }
   return line;
 }

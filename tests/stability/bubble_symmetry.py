@@ -28,7 +28,7 @@ for tolerance in (1e-3, 1e-6, 1e-9):
 checks.below("asymmetry of nu with Newton to 1e-3", found[0], 1e-6)
 checks.below("to 1e-6", found[1], 1e-9)
 checks.below("to 1e-9", found[2], 1e-12)
-checks.hard_case("H11", "bubble on the full width, 6 mm, .06 s", run,
+checks.hard_case("H11", "bubble on the full width, 6 mm, 0.06 s", run,
                  measured="asymmetry of nu " + ", ".join(f"{a:.0e}" for a in found) + " with Newton to 1e-3, 1e-6, 1e-9",
                  bound="symmetric to rounding from a symmetric start", mirror_error=default[0])
 checks.verdict()

@@ -55,7 +55,7 @@ for friction in ("critical_state", "relaxed"):
                          spread, 1e-2)
             checks.hard_case("H6", f"packed bed with T {start:g} m2/s2, S = 0, released, {friction}", worked[0],
                              measured=f"mass that left spreads by {spread:.1e} over floors of 1e-22 to 1e-12 m2/s2 and 1e-6 to "
-                                      f"1e-2 1/s; {len(worked)} of {len(FLOORS)} runs reach their end; least T "
+                                      f"1e-2 1/s. {len(worked)} of {len(FLOORS)} runs reach their end; least T "
                                       f"{min(r.monitor['granular_temperature_min'].min() for r in worked):.1e}",
                              bound="solvable; independent of the floors to 1e-2")
 checks.verdict()

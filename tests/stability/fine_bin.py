@@ -33,7 +33,7 @@ for name, options in (("open", {}), ("closed", CLOSED)):
         checks.above("closed: p_g below the floor less that over the orifice [Pa]",
                      last["gas_pressure"][:5, :2].mean() - pressure.mean(), 0)
         figure = f"p_g below the floor {last['gas_pressure'][:5].mean():.0f} Pa"
-    checks.hard_case("H10", f"100 um bin with air, {name} at the bottom, coarse, .3 s", run,
-                     measured=f"rate {1e3 * rates[name]:.1f} g/s from .15 s on; {figure}",
+    checks.hard_case("H10", f"100 um bin with air, {name} at the bottom, coarse, 0.3 s", run,
+                     measured=f"rate {1e3 * rates[name]:.1f} g/s from 0.15 s on; {figure}",
                      bound="runs; sub-atmospheric over an open orifice; volumes kept to 1e-12")
 checks.verdict()

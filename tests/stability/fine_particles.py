@@ -36,7 +36,7 @@ for gas in ("incompressible", "darcy"):
         if nu == 0.1:
             response = D**2 * RHO_G * (1 - nu) ** 3.65 / (18 * MU * nu)
             checks.hard_case("H4", f"20 um in air ({gas}), nu {nu}, dt 1 ms", run,
-                             measured=f"settling speed off by {error:.1e} after .3 s",
+                             measured=f"settling speed off by {error:.1e} after 0.3 s",
                              bound="slip of equilibrium to 1e-3; 300 steps of 1 ms, none cut",
                              without=f"explicit drag: dt < {response:.1e} s, the response time of the gas")
 checks.verdict()

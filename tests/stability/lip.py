@@ -24,7 +24,7 @@ for refine, end in ((1, 0.02), (2, 0.01)):
 checks.close("rate at .01 s, 2 mm over 1 mm", left[1] / left[2], 1, absolute=0.25)
 tight = program.run("lip.yaml", "tight", {**TIGHT, "end_time": 5e-3})
 checks.below("2 mm, Newton to 1e-9: asymmetry of nu", asymmetry(tight.fields)[0], 1e-8)
-checks.hard_case("H9", "lip of the orifice, 2 mm, .02 s", coarse, measured=f"asymmetry {asymmetry(coarse.fields)[0]:.0e} of nu, "
+checks.hard_case("H9", "lip of the orifice, 2 mm, 0.02 s", coarse, measured=f"asymmetry {asymmetry(coarse.fields)[0]:.0e} of nu, "
                  f"{asymmetry(tight.fields)[0]:.0e} with Newton to 1e-9; rate grows steadily", bound="symmetric, monotone",
                  mirror_error=asymmetry(coarse.fields)[0])
 checks.verdict()

@@ -50,7 +50,7 @@ def bounded(run):
     return monitor["solids_fraction_max"].max() < NU_MAX and np.abs(monitor["mass_error"]).max() < 1e-12
 
 
-program, checks = Program(), Checks("rain of nu = .3 at 200 cm/s onto a floor", "H2")
+program, checks = Program(), Checks("rain of nu = 0.3 at 200 cm/s onto a floor", "H2")
 errors = []
 # The share of a cell that the shock passes in a step; below .2 what bounces behind it is no longer damped by the step.
 for courant in (0.5, 0.25):
@@ -84,8 +84,8 @@ dt, run = largest_step(program, "rain.yaml", "largest", {"solver": "direct"}, ST
 checks.true("a step of the time in which the shock passes a cell works", dt, "it does not")
 wave = np.sqrt(p_c_slope(NU2) / RHO_S)
 if dt:
-    checks.hard_case("H2", "rain, nu .3 at 200 cm/s, onto a floor", run,
-                     measured=f"nu2 {nu2:.6f}, U_s {100 * speed:.1f} cm/s at Courant .25, greatest nu "
+    checks.hard_case("H2", "rain, nu 0.3 at 200 cm/s, onto a floor", run,
+                     measured=f"nu2 {nu2:.6f}, U_s {100 * speed:0.1f} cm/s at Courant 0.25, greatest nu "
                               f"{run.monitor['solids_fraction_max'].max():.4f} at the largest step, which is "
                               f"{dt / (DX / U_S):.0f} cells of the shock",
                      bound=f"T15: nu2 {NU2:.6f}, U_s {100 * U_S:.1f} cm/s; nu < 0.65 without clipping; mass to 1e-12",

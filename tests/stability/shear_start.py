@@ -17,7 +17,7 @@ def factors(nu):
             48 / np.sqrt(np.pi) * eta * (1 - eta) * nu**2 * g0)
 
 
-program, checks = Program(), Checks("shear starts at nu = .64", "H7")
+program, checks = Program(), Checks("shear starts at nu = 0.64", "H7")
 fmu, fJ = factors(0.6)
 checks.close("reference fmu at .6, tests/VERIFICATION.md section 1", fmu, 17.4033844, relative=1e-8)
 checks.close("reference fJ at .6", fJ, 15.9134731, relative=1e-8)
@@ -58,7 +58,7 @@ for start in (1e-8, 1e-11, 1e-14):
     checks.above(f"{name}: least T ever [m2/s2]", least, start * (1 - 1e-9))
     checks.below(f"{name}: overshoot of T, relative", overshoot, 1e-2)
     checks.close(f"{name}: T at the end [m2/s2]", T, T2, relative=1e-4)
-    checks.hard_case("H7", f"shear start-up at nu .64 from T {start:g} m2/s2", run,
+    checks.hard_case("H7", f"shear start-up at nu 0.64 from T {start:g} m2/s2", run,
                      measured=f"T at the end {T / T2:.6f} T2, overshoot {max(overshoot, 0):.1e}, least T ever {least:.1e} m2/s2",
                      bound="T > 0, T2, overshoot < 1 %")
 

@@ -24,9 +24,9 @@ def newton(run):
 program, checks = Program(), Checks("p_c a thousand times stiffer, s = 8, and packed to nu_max", "H3")
 UNIFORM = {"initial_fill_profile": "uniform", "initial_fill_solids_fraction": 0.6, "end_time": 0.04}
 for start, options, materials in (
-        ("at rest, dt .2 ms", {"time_step_initial": 2e-4}, MATERIALS),
+        ("at rest, dt 0.2 ms", {"time_step_initial": 2e-4}, MATERIALS),
         ("at rest, dt 1 ms", {}, MATERIALS),
-        ("nu = .6, dt .2 ms", {**UNIFORM, "time_step_initial": 2e-4}, ["p_c of Table 2", "F x 1000", "s = 8"])):
+        ("nu = 0.6, dt 0.2 ms", {**UNIFORM, "time_step_initial": 2e-4}, ["p_c of Table 2", "F x 1000", "s = 8"])):
     soft = None
     for material in materials:
         name = f"{start}, {material}"
@@ -41,7 +41,7 @@ for start, options, materials in (
         F, s = MATERIALS[material]
         c = wave_speed(run.first_fields["solids_fraction"].max(), F, s)
         dt = np.median(monitor["dt"][1:])
-        if material != "p_c of Table 2" and start != "at rest, dt .2 ms":
+        if material != "p_c of Table 2" and start != "at rest, dt 0.2 ms":
             checks.above(f"{name}: median step over that of the wave, dx/c = {DX / c:.1e} s", dt / (DX / c), 1)
             checks.hard_case("H3", f"small bin, {material}, {start}", run,
                              measured=f"Newton a step {newton(run):.2f} against {newton(soft):.2f}; median step "

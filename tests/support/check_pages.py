@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks the pages: sentences of at most 25 words, a zero before the decimal point, links to files and headings that
-exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences. Pages that sources
-name, in comments or elsewhere, exist too, and so do the files `scripts/...` that pages or sources name.
+exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences; the zero belongs into
+generated blocks too. Pages that sources name, in comments or elsewhere, exist too, and so do the files `scripts/...`
+that pages or sources name.
 
 Usage: check_pages.py [--figures] [SOURCE_DIRECTORY]     (default: the checkout that this file is in)
 
@@ -12,7 +13,7 @@ import sys
 from pathlib import Path
 
 MOST_WORDS = 25
-#: Written by scripts from what tests measured: their links are checked, their texts are those of the tests.
+#: Written by scripts from what tests measured: they may hold maths that Markdown changes.
 MEASURED = ("tests/results/", "tests/benchmark/")
 
 #: Pages that scripts write into their output.
@@ -39,15 +40,16 @@ class Line:
         self.number, self.text = number, text
 
 
-def prose(text):
-    """The lines of a page without code, maths and generated blocks; those are empty, so that they end a sentence."""
+def prose(text, with_generated=False):
+    """The lines of a page without code, maths and generated blocks, unless the last are wanted; those are empty, so that
+    they end a sentence."""
     fenced = generated = False
     for number, line in enumerate(text.splitlines(), 1):
         if FENCE.match(line):
             fenced = not fenced
             line = ""
         elif GENERATED.match(line.strip()):
-            generated = True
+            generated = not with_generated
         elif line.strip() == GENERATED_END:
             generated = False
         indented = line.startswith("    ") and not line.lstrip().startswith(("-", "*"))
@@ -122,7 +124,7 @@ def language_problems(text):
     for number, words in sentences(text):
         if len(words) > MOST_WORDS:
             yield number, f"a sentence of {len(words)} words, at most {MOST_WORDS}: {' '.join(words[:8])} ..."
-    for line in prose(text):
+    for line in prose(text, with_generated=True):
         bare = BARE_DECIMAL.search(re.sub(r"`[^`]*`", "", line.text))
         if bare:
             around = line.text[max(0, bare.start() - 10):bare.end() + 10]
@@ -201,8 +203,9 @@ def main():
         if name.endswith("/page.md"):  # a form that a script fills in
             continue
         found = [*link_problems(root, path, text), *block_problems(text)]
+        found += language_problems(text)
         if not measured(name):
-            found += [*language_problems(text), *maths_problems(text)]
+            found += maths_problems(text)
         problems += [f"{name}:{number}: {problem}" for number, problem in sorted(found)]
         if figures:
             lengths = [len(words) for _, words in sentences(text, tables=False)]

@@ -23,7 +23,7 @@ def thrown(nu):
 program, checks = Program(), Checks("surface of a bed of nu 0.6, p_c 1.6e4 dyn/cm2, released into a void", "T16")
 SPEED = thrown(NU_MIN)
 checks.close("reference speed of the surface [cm/s]", 100 * SPEED, 25.06, absolute=0.005)
-checks.close("reference wave speed at nu .6 [cm/s]", 100 * wave_speed(START), 813.7, absolute=0.05)
+checks.close("reference wave speed at nu 0.6 [cm/s]", 100 * wave_speed(START), 813.7, absolute=0.05)
 
 # The wave is a function of (x - surface)/t = v - c; it has not reached the floor.
 levels = NU_MIN + (START - NU_MIN) * np.linspace(0, 1, 2001) ** 2

@@ -52,7 +52,8 @@ class Progress {
   double mark_time_ = 0, mark_seconds_ = 0, rate_ = 0;  ///< where the present window of the rate began; rate before it
 };
 
-/// "time 0.25 s  dt 1.2e-04 s  step 123  25.0 %  rate 0.012 s/s  left 0:01:02". Rate <= 0: no time left is given.
+/// "time 0.25 s  dt 1.2e-04 s  step 123  25.0 %  rate 0.012 s/s  left 0:01:02". Rate <= 0: neither rate nor time
+/// left is given; nor is the time left in the first hundredth of the run, whose steps still grow.
 std::string progress_line(int step, double time, double dt, double start_time, double end_time, double rate);
 
 }  // namespace scree

@@ -32,6 +32,12 @@ TEST(ProgressLine, TellsWhatIsLeft) {
   EXPECT_EQ(progress_line(0, 2, 1e-4, 2, 4, 0), "time 2 s  dt 1.00e-04 s  step 0    0.0 %");
 }
 
+TEST(ProgressLine, PromisesNothingWhileTheFirstStepsGrow) {
+  EXPECT_EQ(progress_line(1, 1e-6, 1e-6, 0, 1, 1e-4), "time 1e-06 s  dt 1.00e-06 s  step 1    0.0 %  rate 0.0001 s/s");
+  EXPECT_EQ(progress_line(9, 0.01, 1e-3, 0, 1, 0.01),
+            "time 0.01 s  dt 1.00e-03 s  step 9    1.0 %  rate 0.01 s/s  left 0:01:39");
+}
+
 /// A terminal of the test, and its clock.
 struct Screen {
   std::string text;
