@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Checks the pages: sentences of at most 25 words, a zero before the decimal point, links to files and headings that
-exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences; the zero belongs into
-generated blocks too. Pages that sources name, in comments or elsewhere, exist too, and so do the files `scripts/...`
-that pages or sources name.
+exist. Blocks of code and maths, and the blocks that scripts generate, are not read as sentences. Pages that sources
+name, in comments or elsewhere, exist too, and so do the files `scripts/...` that pages or sources name.
 
 Usage: check_pages.py [--figures] [SOURCE_DIRECTORY]     (default: the checkout that this file is in)
 
@@ -40,16 +39,15 @@ class Line:
         self.number, self.text = number, text
 
 
-def prose(text, with_generated=False):
-    """The lines of a page without code, maths and generated blocks, unless the last are wanted; those are empty, so that
-    they end a sentence."""
+def prose(text):
+    """The lines of a page without code, maths and generated blocks; those are empty, so that they end a sentence."""
     fenced = generated = False
     for number, line in enumerate(text.splitlines(), 1):
         if FENCE.match(line):
             fenced = not fenced
             line = ""
         elif GENERATED.match(line.strip()):
-            generated = not with_generated
+            generated = True
         elif line.strip() == GENERATED_END:
             generated = False
         indented = line.startswith("    ") and not line.lstrip().startswith(("-", "*"))
@@ -124,7 +122,7 @@ def language_problems(text):
     for number, words in sentences(text):
         if len(words) > MOST_WORDS:
             yield number, f"a sentence of {len(words)} words, at most {MOST_WORDS}: {' '.join(words[:8])} ..."
-    for line in prose(text, with_generated=True):
+    for line in prose(text):
         bare = BARE_DECIMAL.search(re.sub(r"`[^`]*`", "", line.text))
         if bare:
             around = line.text[max(0, bare.start() - 10):bare.end() + 10]

@@ -10,7 +10,6 @@ FAULTS = {
     "a sentence of 26 words": LONG,
     "a sentence of 26 words ": f"| cell | {LONG} |",
     "a zero belongs before the point": "It takes .5 s.",
-    "a zero belongs before the point ": "<!-- generated: options -->\n| nu above .5 |\n<!-- end -->",
     "no such file": "See [there](nowhere.md).",
     "no such heading": "See [there](#nowhere).",
     "outside the repository": "See [there](../page.md).",

@@ -11,7 +11,7 @@ namespace scree {
 /// Newton's method sees no jump; outside of it the law is as published.
 struct Gidaspow {
   static constexpr const char *name = "gidaspow",
-                              *source = "Gidaspow (1994): Ergun above nu = 0.2, Wen & Yu below, joined over 0.18 ... 0.22";
+                              *source = "Gidaspow (1994): Ergun above nu = .2, Wen & Yu below, joined over .18 ... .22";
 
   template <class Number>
   static Number factor(const Number& nu, const Number& Re) {

@@ -10,7 +10,7 @@ namespace scree {
 /// Garside & Al-Dibouni. c1 = .8 and d1 = 2.65 are the standard ones, not fitted to a minimum fluidisation velocity.
 /// Limits: .96 (1-nu)^-3.14 as Re -> 0; (1-nu) .63^2/24 Re_s/B^2 as Re grows.
 struct SyamlalOBrien {
-  static constexpr const char *name = "syamlal_obrien", *source = "Syamlal & O'Brien (1987), c1 = 0.8, d1 = 2.65";
+  static constexpr const char *name = "syamlal_obrien", *source = "Syamlal & O'Brien (1987), c1 = .8, d1 = 2.65";
   static constexpr double c1 = .8, d1 = 2.65;
 
   template <class Number>
