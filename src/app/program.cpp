@@ -36,7 +36,8 @@ void print(const std::string& text) {
 
 /// Under -check: the case as understood, a YAML file that runs it.
 void print_case(const Case& the_case) {
-  for (const std::string& remark : the_case.remarks) print("# " + remark + "\n");
+  for (const auto* lines : {&the_case.remarks, &the_case.grid_summary})
+    for (const std::string& line : *lines) print("# " + line + "\n");
   print(the_case.effective_yaml);
 }
 

@@ -61,12 +61,13 @@ Case understood(const CaseInput& input, const Catalogue& catalogue) {
   declare_all(options, grid, the_case);
   options.check_required();
 
-  the_case.box = make_box(grid);
+  the_case.box = make_box(grid, the_case);
   put_on_grid(the_case);
   clip_regions(the_case.box, the_case.initial);
   check_case(the_case);
 
   the_case.effective_yaml = effective_yaml(input, options);
+  the_case.grid_summary = grid_summary(the_case.box);
   the_case.petsc_options = petsc_options(input);
   the_case.remarks = input.remarks();
   for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(the_case)})

@@ -137,6 +137,7 @@ struct Case {
   bool check_only = false;                 ///< nothing is to be run
   std::string effective_yaml;              ///< the case as understood, as a case file that reruns it
   std::vector<PetscOption> petsc_options;  ///< what PETSc is to know
+  std::vector<std::string> grid_summary;   ///< lines about the grid, for -check
   std::vector<std::string> remarks;        ///< for the log: a line for what is not used, odd or has a former name
 
   /// The last region at a point that gives a solids fraction; nullptr if there is none.

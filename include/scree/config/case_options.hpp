@@ -10,6 +10,7 @@
 #include "scree/config/case.hpp"
 #include "scree/config/option_set.hpp"
 #include "scree/grid/axis_name.hpp"
+#include "scree/grid/graded_axis.hpp"
 
 namespace scree {
 
@@ -21,15 +22,26 @@ struct GridInput {
     std::vector<int> cells;
     std::vector<double> ratios;
   };
+  /// In place of numbers of cells: their sizes, and the places to refine. Each list has one entry, or one per axis.
+  struct Sizes {
+    std::vector<double> finest, coarsest;
+    std::vector<double> growth{1.2};
+    std::vector<std::string> fine_at{"openings"};        ///< names of items of the case
+    std::array<std::vector<double>, max_dim> positions;  ///< further places, by axis
+  };
   int dim = 2;
   std::vector<double> extent, origin;
   std::vector<int> cells;
+  Sizes sizes;
   std::array<Blocks, max_dim> blocks;
   int refine = 1;
   std::vector<std::string> periodic;
+
+  /// Whether cells are given by their sizes.
+  bool by_sizes() const { return !sizes.finest.empty(); }
 };
 
-/// Cells along an axis; 0 where none are given.
+/// Cells along an axis that are given by number; 0 where none are.
 double cells_along(const GridInput& grid, int axis);
 
 /// An item whose place in its list the user chooses.
@@ -92,8 +104,29 @@ void declare_time(OptionSet& o, TimeParameters& time);
 void declare_output(OptionSet& o, const GridInput& grid, Case& the_case);
 void declare_solver(OptionSet& o, Case& the_case);
 
-/// The box with its face positions. Throws InputError if lists do not fit together.
-Box make_box(const GridInput& grid);
+/// The sizes of cells, where they are given in place of numbers.
+void declare_sizes(OptionSet& o, int dim, GridInput::Sizes& sizes);
+
+/// The box with its face positions, for the scene with all that is in it. Throws InputError if lists do not fit
+/// together, and if there are no cells of the wanted sizes.
+Box make_box(const GridInput& grid, const Case& scene);
+
+/// What the scene asks of the cells along an axis by its edges.
+struct GridPlaces {
+  std::vector<double> planes;  ///< where faces have to lie [m]
+  std::vector<double> fine;    ///< those of them where cells are to be finest; an end of the axis may be one [m]
+  std::vector<double> edges;   ///< of initial regions, where faces should lie unless other planes are close [m]
+};
+
+/// The places by axis, for a box with such ends. Throws InputError for a name in grid_fine_at that the scene lacks.
+std::array<GridPlaces, max_dim> grid_places(const std::vector<std::string>& fine_at, const Box& ends,
+                                            const Case& scene);
+
+/// The axes of a grid that is given by sizes, for a box with such ends. Throws InputError.
+std::vector<GradedAxis> graded_axes(const GridInput& grid, const Box& ends, const Case& scene);
+
+/// Lines about the grid: numbers of cells, the smallest and the greatest, and how fast they grow.
+std::vector<std::string> grid_summary(const Box& box);
 
 /// Moves all patches, plates and flux planes exactly onto grid planes.
 /// Throws InputError naming the nearest grid plane if one is off by more than 1e-6 of a cell.
