@@ -123,6 +123,7 @@ void declare_sizes(OptionSet& o, int dim, GridInput::Sizes& sizes) {
   coarsest.needed = !o.describing() && by_sizes;
   finest.needed = coarsest.given;
   o.reals("grid_growth", sizes.growth, one_or_per_axis, "-", growth_range(), "greatest ratio of neighbouring cells")
+      .default_from("1.2")
       .used_if(by_sizes, not_given);
   o.texts("grid_fine_at", sizes.fine_at, "openings, none, names of boundaries, plates, flux planes, initial regions",
           "places to refine: their edges, and the wall that they lie in; openings: all open parts of sides, inlets, "

@@ -18,7 +18,10 @@ WRONG = [
     "grid_refine: 1.5", "grid_refine: 0", "time_step_adaptive: maybe", "gravity: [0, nan]", "gravity: {x: 0}",
     "boundary: {lid: {side: y_upper, knd: open}}", "boundary: {lid: {side: up, kind: open}}",
     "boundary_lid: {side: y_upper, kind: [open, open]}", "boundary_lid_knd: open", "bondary: {lid: {side: y_upper}}",
-    "probe: {p: {point: [here]}}", "plate: {p: {axis: y, position: low}}", "define: 1", "petsc: 1", "output: {dri: a}",
+    "probe: {p: {point: [here]}}", "plate: {p: {axis: y, position: low}}", "define: 1",
+    "grid: {finest: 1 mm, coarsest: 1 cm, growth: 1}", "grid: {finest: small, coarsest: 1 cm}",
+    "grid: {finest: 1 mm, coarsest: 0}", "grid: {finst: 1 mm, coarsest: 1 cm}",
+    "grid: {finest: 1 mm, coarsest: 1 cm, fine_at: {lip: 1}}", "petsc: 1", "output: {dri: a}",
 ]
 #: Additions that both take, each way to write a key.
 RIGHT = [
@@ -28,7 +31,9 @@ RIGHT = [
     "boundary: {top: {gas: {pressure: 1}}}\ngas: darcy", "boundary_top: {gas_pressure: 1}", "boundary_top_gas_pressure: 1",
     "boundary: {my_side: {side: y_upper, kind: open}}", "boundary: {top_until: 1e9}", "initial: {fill: {velocity: '0, 1'}}",
     "gas: {density: 1.2}", "probe: {p: {point: [1 cm, 2 cm], fields: [velocity, solids_fraction]}}",
-    "probe: {p: {point: [1 cm, 2 cm], fields: velocity}}", "grid: {refine: 2}", "granular_temperature: {floor: 0}",
+    "probe: {p: {point: [1 cm, 2 cm], fields: velocity}}", "grid: {refine: 2}",
+    "grid: {finest: 1 mm, coarsest: [5 mm, 1 cm], growth: 1.3, fine_at: [openings, fill], fine_x: 2 cm}",
+    "grid_finest: 0.001\ngrid_coarsest: 1 cm\ngrid: {fine: {at: floor, y: [1 cm, 2 cm]}}", "granular_temperature: {floor: 0}",
 ]
 
 program, checks = Program(), Checks("JSON schema of case files")
