@@ -85,6 +85,7 @@ class Grading {
  public:
   explicit Grading(const CellSizes& wanted)
       : wanted_(wanted), slope_(std::log(wanted.growth)), least_((1 - finest_slack) * wanted.finest) {
+    wanted_.coarsest = std::max(wanted.finest, std::min(wanted.coarsest, wanted.upper - wanted.lower));
     place_planes();
     tie_ends();
     spread_small();
@@ -242,7 +243,7 @@ class Grading {
     return changed;
   }
 
-  const CellSizes& wanted_;
+  CellSizes wanted_;  ///< with a coarsest that is no longer than the axis
   double slope_, least_;
   std::vector<Plane> planes_;
 };

@@ -94,6 +94,15 @@ TEST(GradedAxis, WithoutFinePlacesIsUniform) {
   for (const double size : widths(GradedAxis(equal).faces())) EXPECT_NEAR(size, 1 * mm, 1e-12);
 }
 
+TEST(GradedAxis, ACoarsestBeyondTheBoxIsNoLimit) {
+  const CellSizes box{0, 4 * cm, false, 0.1 * mm, 4 * cm, 1.2, {}, {0.7 * cm}};
+  CellSizes beyond = box;
+  for (const double coarsest : {1.0, 1e30, 1e300}) {
+    beyond.coarsest = coarsest;
+    EXPECT_EQ(GradedAxis(beyond).faces(), GradedAxis(box).faces()) << coarsest;
+  }
+}
+
 TEST(GradedAxis, PlanesThatAreNotFineAreHitWithoutRefinement) {
   const CellSizes wanted{0, 10 * cm, false, 0.1 * mm, 1 * cm, 1.2, {3.3 * cm, 4.6 * cm}, {}};
   const std::vector<double> faces = GradedAxis(wanted).faces();
