@@ -9,6 +9,7 @@
 
 #include "scree/app/check_fields.hpp"
 #include "scree/app/initial_run.hpp"
+#include "scree/app/lone_rank.hpp"
 #include "scree/app/petsc_session.hpp"
 #include "scree/app/simulation.hpp"
 #include "scree/config/command_line.hpp"
@@ -86,6 +87,7 @@ void run(const char* program, const CommandLine& line, const Parts& parts) {
 int run_program(int argc, char** argv, Parts parts) {
   parts.catalogue.further_unknowns = parts.models.further;
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, not the end of the process
+  set_up_lone_rank();
   MPI_Init(&argc, &argv);
   int status = 0;
   try {

@@ -13,7 +13,8 @@ void declare_gas(OptionSet& o, int dim, Case& the_case) {
       {{"none", GasModel::none}, {"darcy", GasModel::darcy}, {"incompressible", GasModel::incompressible}},
       "gas phase: absent; (2) and (4) without gas inertia, u eliminated on each face, so that p_g alone is an "
       "unknown; (2) and (4) in full. darcy is good enough where the gas answers drag at once, i.e. its response time "
-      "rho_g (1-nu)/beta (at nu 0.6: 2e-6 s for 100 um, 4e-5 s for 400 um, 2e-4 s for 1 mm in air) is short against the "
+      "rho_g (1-nu)/beta (at nu 0.6: 2e-6 s for 100 um, 4e-5 s for 400 um, 2e-4 s for 1 mm in air) is short against "
+      "the "
       "time in which the flow changes. Measured against incompressible: discharge rate of 1 mm 0.0 %, of 100 um 0.5 %, "
       "place of a bubble in 400 um 1 %; the pressure deficit over the orifice of 100 um 9 % off, since voids have the "
       "drag of gas_darcy_solids_fraction. Not for jets and freeboards");

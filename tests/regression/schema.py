@@ -7,6 +7,7 @@ from pathlib import Path
 import jsonschema
 import yaml
 
+from case_reader import effective_cases
 from scree_program import Checks, Program
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,29 +49,26 @@ def complaints(text):
     return [f"{'.'.join(map(str, error.absolute_path))}: {error.message[:80]}" for error in validator.iter_errors(yaml.safe_load(text))]
 
 
-def accepted(path):
-    return subprocess.run([scree, str(path), "-check"], capture_output=True, text=True).returncode == 0
-
-
 # Those of tests/extension are for a program with parts of its own.
 files = sorted(path for path in [*ROOT.glob("cases/*/*.yaml"), *ROOT.glob("tests/**/*.yaml")]
                if path.parent.name != "extension")
 checks.above("case files", len(files), 50)
-for path in files:
+for path, (accepted, effective) in zip(files, effective_cases(program, files)):
     text = path.read_text()
     checks.equal(f"{path.relative_to(ROOT)}", complaints(text), [])
-    effective = subprocess.run([scree, str(path), "-check"], capture_output=True, text=True)
-    if effective.returncode == 0:
-        checks.equal(f"{path.relative_to(ROOT)}, as understood", complaints(effective.stdout), [])
+    if accepted:
+        checks.equal(f"{path.relative_to(ROOT)}, as understood", complaints(effective), [])
 
 base = program.here / "small_bin.yaml"
-for expected, additions in ((True, RIGHT), (False, WRONG)):
-    for addition in additions:
-        path = program.work / "case.yaml"
-        path.write_text(f"based_on: {base}\n{addition}\n")
-        found = complaints(path.read_text())
-        checks.true(f"{'right' if expected else 'wrong'} for the schema: {addition!r}", (not found) == expected, found)
-        checks.equal(f"{'right' if expected else 'wrong'} for the program: {addition!r}", accepted(path), expected)
+additions = [*((True, addition) for addition in RIGHT), *((False, addition) for addition in WRONG)]
+paths = [program.work / f"case_{index}.yaml" for index in range(len(additions))]
+for path, (_, addition) in zip(paths, additions):
+    path.write_text(f"based_on: {base}\n{addition}\n")
+for path, (expected, addition), (accepted, said) in zip(paths, additions, effective_cases(program, paths)):
+    found = complaints(path.read_text())
+    what = "right" if expected else "wrong"
+    checks.true(f"{what} for the schema: {addition!r}", (not found) == expected, found)
+    checks.true(f"{what} for the program: {addition!r}", accepted == expected, said)
 
 table = subprocess.run([scree, "-print_options"], capture_output=True, text=True, check=True).stdout.splitlines()[2:]
 keys = [row.split("|")[2].strip().strip("`").replace("<name>_", "") for row in table]

@@ -107,7 +107,7 @@ def chosen(table):
 for what, (options, words) in chosen(OPTIONS).items():
     complain(what, CASE, options, words)
 for kind, place in (("probe", {"probe_a_point": "1 cm, 2 cm"}), ("line", {"line_a_from": "0, 0", "line_a_to": "0, 9 cm"})):
-    for check in ({}, {"check": None}):
+    for check in ({}, {"check": None}) if program.ranks == 1 else ({},):
         complain(f"{kind} of a field that is not there{' under -check' if check else ''}", CASE,
                  {**place, f"{kind}_a_fields": "gas_pressure", **check}, [f"{kind}_a_fields", "gas_pressure", "solids_fraction"])
 

@@ -33,7 +33,7 @@ uniform = brentq(lambda nu: fluidising_flow(nu, D) - .22, .5, .6)
 checks.close("reference nu at U 22 cm/s", uniform, .551452, absolute=1e-6)
 
 # Particles held fast, at these flows: the gas carries them.
-for nu, d, U in TABLE:
+for nu, d, U in TABLE if program.ranks == 1 else ():
     options = {**DIRECT, "particle_diameter": d, "initial_everywhere_solids_fraction": nu,
                "boundary_floor_gas_velocity": fluidising_flow(nu, d)}
     run = program.run("fixed_bed.yaml", f"held_{nu}_{d}", options)
@@ -41,8 +41,9 @@ for nu, d, U in TABLE:
     checks.close(f"nu {nu}, d {d} m held fast, U {U} cm/s: p_g gradient over the weight",
                  (p[0] - p[-1]) / (x[-1] - x[0]) / (nu * BUOYANT), 1, absolute=1e-6)
 
-for U, gas in ((0.10, "incompressible"), (0.14, "incompressible"), (0.20, "incompressible"),
-               (0.22, "incompressible"), (0.22, "darcy")):
+FLOWS = ((0.22, "incompressible"), (0.22, "darcy"))
+FURTHER_FLOWS = ((0.10, "incompressible"), (0.14, "incompressible"), (0.20, "incompressible"))
+for U, gas in FLOWS + (FURTHER_FLOWS if program.ranks == 1 else ()):
     name = f"U {U * 100:g} cm/s, {gas}"
     run = program.run("fluidised_bed.yaml", f"{gas}_{U}", {**DIRECT, "gas": gas, "boundary_floor_gas_velocity": U})
     last, dx = run.fields, 1e-3
