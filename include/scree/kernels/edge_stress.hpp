@@ -89,16 +89,18 @@ struct EdgeStress {
   static Number pressure_in(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, const Index& cell) {
     const FrictionParameters& friction = scene.solids.friction;
     if (!friction.model->has_friction) return Number(0.0);
-    Number p = critical_pressure(q(L::nu, cell), friction);
+    const Number p_c = critical_pressure(q(L::nu, cell), friction);
+    Number p = p_c;
     for (const int axis : {a, b}) {
       const double g = scene.gravity[axis];
       const bool upper = (cell[axis] == 0) == (g < 0);
       if (g == 0 || !upper || on_side_of_axis(scene, axis, I)) continue;
       const Index below = cell + (g < 0 ? -1 : 1) * unit(axis);
       if (scene.barrier(axis, I + (g < 0 ? cell : below))) continue;
-      p = resting_pressure(p, half_weight(scene, I + cell, axis, q(L::nu, cell)),
-                           critical_pressure(q(L::nu, below), friction),
-                           half_weight(scene, I + below, axis, q(L::nu, below)));
+      p += resting_pressure(p_c, half_weight(scene, I + cell, axis, q(L::nu, cell)),
+                            critical_pressure(q(L::nu, below), friction),
+                            half_weight(scene, I + below, axis, q(L::nu, below))) -
+           p_c;
     }
     return p;
   }

@@ -48,13 +48,16 @@ Number resting_pressure(const Number& p_c, const Number& weight, const Number& p
   return p_c + weight * rounded_maximum(share, 0, soft);
 }
 
-/// A stress normal to a wall under the particles of a cell, from that in the cell: the weight of the half cell between
-/// the two presses on the wall as far as the particles rest on each other [Pa]. `sign` is -1 for a wall over them.
+/// A frictional stress normal to a floor under a cell, from that in the cell [Pa]: p, or what a layer no thicker than
+/// the cell presses on the floor with. At rest that is its whole weight, twice `weight`, of which the cell carries
+/// half: by p, or by sigma above where it is filled in part. Deep beds keep p.
 template <class Number>
-Number pressure_at_wall(const Number& p, const Number& weight, int sign) {
+Number pressure_on_floor(const Number& p, const Number& sigma, const Number& weight) {
   constexpr double soft = 0.1, nothing = 1e-9;  // Pa
-  if (!(p > 0.0) || !(weight > nothing)) return p;
-  return p + sign * weight * rounded_minimum(Number(p / weight), 1.0, soft);
+  if (!(weight > nothing) || p > (2 + soft) * weight) return p;
+  const Number carried = rounded_minimum(Number((p + sigma) / weight), 1.0, soft);
+  const Number missing = 2 * carried - p / weight;
+  return p + weight * (p < weight ? missing : rounded_maximum(missing, 0, soft));
 }
 
 /// What lies over cell I against gravity: what may fall in [-]. A wall over the cell leaves no surface.

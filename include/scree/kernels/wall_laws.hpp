@@ -94,10 +94,9 @@ struct WallLaws {
   static Number at_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                         const Number& in_cell) {
     const double g = scene.gravity[axis];
-    if (g == 0) return in_cell;
-    const bool below = (g < 0) == (end == End::lower);
-    return pressure_at_wall(Number(in_cell + surface_stress<L>(scene, I, q, axis)),
-                            half_weight(scene, I, axis, q(L::nu)), below ? 1 : -1);
+    const bool floor = g != 0 && (g < 0) == (end == End::lower);
+    if (!floor) return in_cell;
+    return pressure_on_floor(in_cell, surface_stress<L>(scene, I, q, axis), half_weight(scene, I, axis, q(L::nu)));
   }
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.

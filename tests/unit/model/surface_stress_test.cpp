@@ -31,15 +31,16 @@ TEST(RestingPressure, NeverExceedsHalfTheWeight) {
   }
 }
 
-TEST(PressureAtWall, OfABedAtRestIsItsWeight) {
-  EXPECT_DOUBLE_EQ(pressure_at_wall(7 * half, half, 1), 8 * half);
-  EXPECT_DOUBLE_EQ(pressure_at_wall(7 * half, half, -1), 6 * half);
+TEST(PressureOnFloor, OfALayerAtRestIsItsWeight) {
+  for (const double carried_by_p : {0.0, 0.3, 1.0})  // of half of the weight; the stress of surfaces carries the rest
+    EXPECT_NEAR(pressure_on_floor(carried_by_p * half, (1 - carried_by_p) * half, half), 2 * half, 0.1 * half);
 }
 
-TEST(PressureAtWall, OfWhatFallsIsNothing) {
-  EXPECT_EQ(pressure_at_wall(0.0, half, 1), 0.0);
-  EXPECT_DOUBLE_EQ(pressure_at_wall(0.2 * half, half, -1), 0.0);
-  EXPECT_DOUBLE_EQ(pressure_at_wall(0.2 * half, half, 1), 0.4 * half);
+TEST(PressureOnFloor, OfADeepBedIsThatOfItsLastCell) { EXPECT_EQ(pressure_on_floor(7 * half, 0.0, half), 7 * half); }
+
+TEST(PressureOnFloor, OfWhatFallsIsNothing) {
+  EXPECT_EQ(pressure_on_floor(0.0, 0.0, half), 0.0);
+  EXPECT_EQ(pressure_on_floor(5.0, 0.0, 0.0), 5.0);
 }
 
 }  // namespace
