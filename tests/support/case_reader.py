@@ -10,7 +10,7 @@ def check_cases(program):
 
 
 def effective_cases(program, paths):
-    """What `scree CASE -check` prints for each path, or its complaint: lists of (accepted, text)."""
+    """The case that `scree CASE -check` prints for each path, or its complaint: lists of (accepted, text)."""
     paths = [str(path) for path in paths]
     done = subprocess.run([check_cases(program), "-print"], input="".join(path + "\n" for path in paths), capture_output=True,
                           text=True, timeout=600)
