@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from scree import output, plots
+from scree.bin_discharge_fine import draw_discharge_rate
 
 CM = 100.0
 G_PER_KG = 1000.0
@@ -26,7 +27,7 @@ class Run:
         self.directory = Path(directory)
         self.label = self.directory.name
         monitor = output.monitor(directory)
-        self.time, self.rate = np.asarray(monitor["time"]), QUARTERS * G_PER_KG * np.asarray(monitor["flux_orifice"])
+        self.monitor_time, self.rate = np.asarray(monitor["time"]), QUARTERS * G_PER_KG * np.asarray(monitor["flux_orifice"])
         fields = output.last_fields(directory)
         self.faces = [CM * fields[f"{axis}_faces"] for axis in "xyz"]
         self.centres = [0.5 * (faces[1:] + faces[:-1]) for faces in self.faces]
@@ -34,9 +35,9 @@ class Run:
 
     def mean_rate(self, start, end):
         """Mean rate of the whole bin between two times [g/s]."""
-        inside = (self.time > start) & (self.time < end)
-        times = np.concatenate(([start], self.time[inside], [end]))
-        return np.trapz(np.interp(times, self.time, self.rate), times) / (end - start)
+        inside = (self.monitor_time > start) & (self.monitor_time < end)
+        times = np.concatenate(([start], self.monitor_time[inside], [end]))
+        return np.trapz(np.interp(times, self.monitor_time, self.rate), times) / (end - start)
 
     def sinking(self):
         """Downward speed at HEIGHT [cm/s]; [y, x]."""
@@ -72,18 +73,8 @@ def draw_slices(run):
     return figure
 
 
-def draw_discharge_rate(runs):
-    figure, axes = plt.subplots(figsize=(6.4, 4.2))
-    for run in runs:
-        axes.plot(run.time, run.rate, label=run.label)
-    axes.set(xlabel="time (s)", ylabel="discharge rate of the whole bin (g/s)", xlim=(0, max(r.time[-1] for r in runs)))
-    axes.set_ylim(0, 1.1 * max(np.nanmax(run.rate) for run in runs))
-    axes.legend(loc="lower right")
-    return figure
-
-
 def report(run):
-    end = run.time[-1]
+    end = run.monitor_time[-1]
     print(f"{run.directory}: {' x '.join(str(len(c)) for c in run.centres)} cells, to {end:.3g} s")
     print(f"  rate of the whole bin, mean over the last 0.2 s {run.mean_rate(max(0, end - 0.2), end):8.1f} g/s")
     depth, sinking = run.depth(), run.sinking()

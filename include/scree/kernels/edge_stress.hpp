@@ -97,10 +97,9 @@ struct EdgeStress {
       if (g == 0 || !upper || on_side_of_axis(scene, axis, I)) continue;
       const Index below = cell + (g < 0 ? -1 : 1) * unit(axis);
       if (scene.barrier(axis, I + (g < 0 ? cell : below))) continue;
-      p += resting_pressure(p_c, half_weight(scene, I + cell, axis, q(L::nu, cell)),
-                            critical_pressure(q(L::nu, below), friction),
-                            half_weight(scene, I + below, axis, q(L::nu, below))) -
-           p_c;
+      p += resting_excess(p_c, half_weight(scene, I + cell, axis, q(L::nu, cell)),
+                          critical_pressure(q(L::nu, below), friction),
+                          half_weight(scene, I + below, axis, q(L::nu, below)));
     }
     return p;
   }

@@ -35,17 +35,17 @@ Number half_weight(const Scene& scene, const Index& I, int axis, const Number& n
   return (0.5 * scene.solids.kinetic.rho_s * std::abs(scene.gravity[axis]) * scene.cell_length(axis, I)) * nu;
 }
 
-/// The stress with which a partly filled cell presses on what it lies on [Pa], for friction on the edges between the
-/// two: at rest half of its weight, which is sigma above, where its own p_c is less. That it rests is told by the cell
-/// below, whose p_c carries all of the upper cell and half of its own weight then. Elsewhere it is p_c.
+/// By how much a partly filled cell presses harder than by p_c on what it lies on [Pa], for friction on the edges
+/// between the two: at rest it presses with half of its weight, which is sigma above. That it rests is told by the cell
+/// below, whose p_c carries all of the upper cell and half of its own weight then. Weights are half of the cells'.
 template <class Number>
-Number resting_pressure(const Number& p_c, const Number& weight, const Number& p_c_below, const Number& weight_below) {
+Number resting_excess(const Number& p_c, const Number& weight, const Number& p_c_below, const Number& weight_below) {
   constexpr double soft = 0.1, nothing = 1e-9;  // Pa
-  if (!(weight > nothing) || p_c > (1 + soft) * weight) return p_c;
+  if (!(weight > nothing) || p_c > (1 + soft) * weight) return Number(0.0);
   const Number missing = 1.0 - p_c / weight;
   const Number carried = (p_c_below - weight_below - weight - p_c) / weight;
   const Number share = missing + rounded_minimum(Number(carried - missing), 0, soft);
-  return p_c + weight * rounded_maximum(share, 0, soft);
+  return weight * rounded_maximum(share, 0, soft);
 }
 
 /// A frictional stress normal to a floor under a cell, from that in the cell [Pa]: p, or what a layer no thicker than
@@ -88,11 +88,11 @@ auto surface_stress(const Scene& scene, const Index& I, const Q& q, int axis) {
   if (!(own > above)) return Number(0.0);
   constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
   const Number dense = own * own / (own * own + dilute * dilute);
-  const Number mass = (0.5 * scene.solids.kinetic.rho_s * scene.cell_length(axis, I)) * (dense * (own - above));
+  const Number weight = half_weight(scene, I, axis, Number(dense * (own - above)));
   const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
   constexpr double soft = 0.1;
   const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
-  return Number((mass * std::abs(g)) * surface_share(own, above) * closing);
+  return Number(weight * surface_share(own, above) * closing);
 }
 
 /// Anchor I: cell I.
