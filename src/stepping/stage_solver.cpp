@@ -168,13 +168,13 @@ PetscErrorCode StageSolver::differentiate(TS, PetscReal time, Vec state, Vec rat
 PetscErrorCode StageSolver::guess(Vec state, bool after_failure) {
   PetscFunctionBeginUser;
   double dt;
-  long limited = 0;
+  std::vector<PetscInt> held;
   PetscCall(TSGetTimeStep(ts_, &dt));
   // Schemes of order 2 bring a guess of their own.
   if (scheme_.order() == 1 && control_.extrapolate && scheme_.can_extrapolate(history_.dt_past) && !after_failure &&
       history_.guess.considers_line())
     PetscCall(put_on_line(dt, state));
-  PetscCall(limits_.apply(start_, state, true, &limited));
+  PetscCall(limits_.apply(start_, state, true, &held));
   PetscCall(raise_temperature(problem_, dt, least_nu_of_guess, state));
   PetscFunctionReturn(0);
 }
@@ -183,10 +183,10 @@ PetscErrorCode StageSolver::guess(Vec state, bool after_failure) {
 /// it.
 PetscErrorCode StageSolver::put_on_line(double dt, Vec state) {
   PetscFunctionBeginUser;
-  long limited = 0;
+  std::vector<PetscInt> held;
   const StateWeights weights = scheme_.extrapolation(dt, history_.dt_past);
   PetscCall(VecAXPBYPCZ(line_, weights[0], weights[1], 0, start_, before_));
-  PetscCall(limits_.apply(start_, line_, true, &limited));
+  PetscCall(limits_.apply(start_, line_, true, &held));
   if (history_.guess.asks_residuals()) {
     double of_state, of_line;
     PetscCall(residual_norm(state, &of_state));

@@ -48,18 +48,6 @@ Number resting_excess(const Number& p_c, const Number& weight, const Number& p_c
   return weight * rounded_maximum(share, 0, soft);
 }
 
-/// A frictional stress normal to a floor under a cell, from that in the cell [Pa]: p, or what a layer no thicker than
-/// the cell presses on the floor with. At rest that is its whole weight, twice `weight`, of which the cell carries
-/// half: by p, or by sigma above where it is filled in part. Deep beds keep p.
-template <class Number>
-Number pressure_on_floor(const Number& p, const Number& sigma, const Number& weight) {
-  constexpr double soft = 0.1, nothing = 1e-9;  // Pa
-  if (!(weight > nothing) || p > (2 + soft) * weight) return p;
-  const Number carried = rounded_minimum(Number((p + sigma) / weight), 1.0, soft);
-  const Number missing = 2 * carried - p / weight;
-  return p + weight * (p < weight ? missing : rounded_maximum(missing, 0, soft));
-}
-
 /// What lies over cell I against gravity: what may fall in [-]. A wall over the cell leaves no surface.
 template <class L, class Q>
 auto solids_fraction_above(const Scene& scene, const Index& I, const Q& q, int axis) {

@@ -4,6 +4,7 @@
 
 #include "scree/kernels/cell_strain.hpp"
 #include "scree/kernels/surface_stress.hpp"
+#include "scree/kernels/wall_pressure.hpp"
 
 namespace scree {
 
@@ -93,10 +94,23 @@ struct WallLaws {
   template <class Number>
   static Number at_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                         const Number& in_cell) {
+    const Number p = extrapolated(scene, I, q, axis, end, in_cell);
     const double g = scene.gravity[axis];
     const bool floor = g != 0 && (g < 0) == (end == End::lower);
-    if (!floor) return in_cell;
-    return pressure_on_floor(in_cell, surface_stress<L>(scene, I, q, axis), half_weight(scene, I, axis, q(L::nu)));
+    if (!floor) return p;
+    return pressure_on_floor(p, surface_stress<L>(scene, I, q, axis), half_weight(scene, I, axis, q(L::nu)));
+  }
+
+  template <class Number>
+  static Number extrapolated(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
+                             const Number& in_cell) {
+    const FrictionParameters& friction = scene.solids.friction;
+    const Index inward = end == End::lower ? unit(axis) : -1 * unit(axis);
+    const Index between = end == End::lower ? I + unit(axis) : I;
+    if (!friction.model->has_friction || scene.barrier(axis, between)) return in_cell;
+    const double to_wall = scene.distance_to_face(axis, I) / scene.centre_distance(axis, between);
+    return pressure_at_wall(in_cell, Number(critical_pressure(q(L::nu), friction)),
+                            Number(critical_pressure(q(L::nu, inward), friction)), to_wall);
   }
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.

@@ -18,14 +18,15 @@ class NewtonLimits {
 
   /// Registers with the line search of `snes`, which solves `stage`; both objects must outlive it.
   PetscErrorCode attach(SNES snes, const Stage* stage);
-  /// Changes `target`, meant to be reached from `from`, where it breaks a limit; adds to `limited` the unknowns changed
-  /// on this rank.
-  PetscErrorCode apply(Vec from, Vec target, bool first_guess, long* limited) const;
+  /// Changes `target`, meant to be reached from `from`, where it breaks a limit; adds to `held` the places of the
+  /// unknowns changed among those of this rank.
+  PetscErrorCode apply(Vec from, Vec target, bool first_guess, std::vector<PetscInt>* held) const;
 
   long limited() const { return limited_; }  ///< unknowns limited so far, on this rank
   void reset() { limited_ = 0; }
 
  private:
+  PetscErrorCode raise_cold(const std::vector<PetscInt>& held, Vec target) const;
   static PetscErrorCode pre_check(SNESLineSearch, Vec state, Vec step, PetscBool* changed, void* limits);
 
   const DiscreteProblem& problem_;

@@ -1,4 +1,4 @@
-/// What a partly filled cell presses on: the cell below it, and a floor.
+/// What a partly filled cell presses on the cell below it with.
 #include "scree/kernels/surface_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -29,18 +29,6 @@ TEST(RestingExcess, NeverExceedsHalfTheWeight) {
     EXPECT_GE(p, 0.0) << below;
     EXPECT_LE(p, half) << below;
   }
-}
-
-TEST(PressureOnFloor, OfALayerAtRestIsItsWeight) {
-  for (const double carried_by_p : {0.0, 0.3, 1.0})  // of half of the weight; the stress of surfaces carries the rest
-    EXPECT_NEAR(pressure_on_floor(carried_by_p * half, (1 - carried_by_p) * half, half), 2 * half, 0.1 * half);
-}
-
-TEST(PressureOnFloor, OfADeepBedIsThatOfItsLastCell) { EXPECT_EQ(pressure_on_floor(7 * half, 0.0, half), 7 * half); }
-
-TEST(PressureOnFloor, OfWhatFallsIsNothing) {
-  EXPECT_EQ(pressure_on_floor(0.0, 0.0, half), 0.0);
-  EXPECT_EQ(pressure_on_floor(5.0, 0.0, 0.0), 5.0);
 }
 
 }  // namespace

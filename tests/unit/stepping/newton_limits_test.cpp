@@ -44,8 +44,9 @@ TEST(NewtonLimits, HoldBackEachUnknownAtItsBoundAndNothingElse) {
   for (const Step& row : rows) {
     problem.put(values(row, row.from), from);
     problem.put(values(row, row.target), target);
-    long mine = 0, all = 0;
-    check(limits.apply(from, target, false, &mine));
+    std::vector<PetscInt> held;
+    check(limits.apply(from, target, false, &held));
+    long mine = static_cast<long>(held.size()), all = 0;
     MPI_Allreduce(&mine, &all, 1, MPI_LONG, MPI_SUM, PETSC_COMM_WORLD);
     const Values result = problem.get(target), expected = values(row, row.expected);
     for (std::size_t i = 0; i < result.size(); ++i)
