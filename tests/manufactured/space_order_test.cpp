@@ -94,7 +94,7 @@ double least_order(const SpaceCase& c) {
   if (c.scheme == AdvectionScheme::upwind || c.kind == BoundaryKind::gas_inlet) return fine ? .95 : .8;
   if (c.kind == BoundaryKind::inlet) return fine ? 1.42 : 1.2;
   if (c.tests_side) return fine ? 1.42 : 1.7;
-  return fine ? 1.9 : 1.75;
+  return fine ? 1.9 : 1.7;
 }
 
 class SpaceOrder : public testing::TestWithParam<SpaceCase> {};
