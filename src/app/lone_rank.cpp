@@ -1,7 +1,11 @@
 #include "scree/app/lone_rank.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace scree {
 
@@ -14,6 +18,18 @@ bool has_launcher() {
   return false;
 }
 
+/// Processes that start alone share one directory of Open MPI, which the last to leave removes while another may be
+/// entering it: that one ends in MPI_Init. What it cannot remove is a directory that is not empty.
+void keep_session_directory() {
+  char host[256] = {};
+  if (gethostname(host, sizeof host - 1) != 0) return;
+  const std::string node = std::string(host).substr(0, std::string(host).find('.'));
+  std::error_code ignored;
+  const std::filesystem::path top =
+      std::filesystem::temp_directory_path(ignored) / ("ompi." + node + "." + std::to_string(geteuid()));
+  if (!ignored) std::filesystem::create_directories(top / "jf.0" / "kept", ignored);
+}
+
 }  // namespace
 
 void set_up_lone_rank() {
@@ -23,6 +39,7 @@ void set_up_lone_rank() {
   if (!alone) return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
+  keep_session_directory();
 }
 
 }  // namespace scree
