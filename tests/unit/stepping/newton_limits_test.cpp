@@ -57,5 +57,49 @@ TEST(NewtonLimits, HoldBackEachUnknownAtItsBoundAndNothingElse) {
   check(VecDestroy(&target));
 }
 
+/// T of cell 5, stored, after a step of Newton's method there that wants `T_wanted` from 1e-6, beside a cell whose chi
+/// is held back. The cell shears fast, as in the air beside a jet, and holds few particles: production alone would heat
+/// it without end.
+double T_after_step(double T_wanted) {
+  Evaluation problem(PETSC_COMM_WORLD, sample_setup(uniform_box(1, {8, 0, 0})));
+  NewtonLimits limits(problem.problem());
+  Stage stage;
+  stage.shift = 1 / 4e-3;
+  SNES snes;
+  SNESLineSearch search;
+  Vec state, step;
+  PetscBool changed;
+  check(SNESCreate(PETSC_COMM_WORLD, &snes));
+  check(DMCreateGlobalVector(problem.problem().dm(), &state));
+  check(VecDuplicate(state, &step));
+  check(limits.attach(snes, &stage));
+  check(SNESGetLineSearch(snes, &search));
+
+  const int T = problem.at(problem.component("T"), {{5, 0, 0}}),
+            chi = problem.at(problem.component("chi"), {{2, 0, 0}});
+  Values x = problem.values([&](const Field& f, const Index& I) {
+    if (f.symbol == "nu") return I[0] == 5 ? 2e-4 : 0.5;
+    if (f.symbol == "v") return I[0] > 5 ? 20 * f.scale : 0.0;
+    return f.scale;
+  });
+  x[T] = 1e-6;
+  Values dx = problem.zeros();  // Newton's method goes to x - dx
+  dx[T] = x[T] - T_wanted;
+  dx[chi] = 5;
+  problem.put(x, state);
+  problem.put(dx, step);
+  check(SNESLineSearchPreCheck(search, state, step, &changed));
+  const double result = x[T] - problem.get(step)[T];
+  check(VecDestroy(&state));
+  check(VecDestroy(&step));
+  check(SNESDestroy(&snes));
+  return result;
+}
+
+TEST(NewtonLimits, RaiseTheTemperatureWhereItIsHeldAndNowhereElse) {
+  EXPECT_GT(T_after_step(-1), 1e-3);
+  EXPECT_NEAR(T_after_step(9e-7), 9e-7, 1e-12);
+}
+
 }  // namespace
 }  // namespace scree::test
