@@ -86,7 +86,7 @@ std::string Simulation::solver_name() const {
 }
 
 PetscOptionList Simulation::solver_options() const {
-  return preset_options(preset(), problem_.model().fields(), fill());
+  return preset_options(preset(), problem_.model().fields(), ranks_of(PETSC_COMM_WORLD), fill());
 }
 
 void Simulation::print_solver() const {

@@ -130,13 +130,20 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
 /// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core
 /// has a factor by MUMPS, and in three dimensions, where factors are dear, multigrid. Where a scene has none of the
 /// three the core is all there is.
-PetscOptionList condensed(const std::vector<Field>& node, int dim) {
+///
+/// The factor is made on one of the ranks: those that share one add up in the order in which messages come, and a
+/// restart would not end bit for bit as the uninterrupted run. In two dimensions they save little: other ranks wait.
+PetscOptionList condensed(const std::vector<Field>& node, int dim, int ranks) {
   std::string eliminated;
   for (const Field& field : node)
     if (field.unknown->acts_in_its_node)
       eliminated += (eliminated.empty() ? "" : ",") + std::to_string(field.component);
   const PetscOptionList factor{{"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
-  const PetscOptionList& core = dim < 3 ? factor : multigrid_block;
+  PetscOptionList on_one_rank{{"pc_type", "telescope"},
+                              {"pc_telescope_reduction_factor", std::to_string(ranks)},
+                              {"pc_telescope_ignore_dm", "true"}};
+  for (const auto& option : with_prefix("telescope_", factor)) on_one_rank.push_back(option);
+  const PetscOptionList& core = dim > 2 ? multigrid_block : ranks > 1 ? on_one_rank : factor;
   if (eliminated.empty()) return core;
   PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
   for (const auto& option : with_prefix("condensed_core_", core)) list.push_back(option);
@@ -149,7 +156,7 @@ const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat
 
 }  // namespace
 
-PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill) {
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int ranks, int fill) {
   const auto unknowns = static_cast<int>(node.size());
   int gas_pressure = -1, dim = 0;
   for (const Field& field : node) {
@@ -182,7 +189,7 @@ PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& no
       break;
     case SolverPreset::condensed:
       append(gmres("1e-2", "100"));
-      append(condensed(node, dim));
+      append(condensed(node, dim, ranks));
       break;
   }
   return list;

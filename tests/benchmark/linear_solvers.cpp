@@ -331,7 +331,9 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   check(register_orderings());
   check(register_condensed_preconditioner());
   ScopedOptions of_preset;
-  check(of_preset.set("", preset_options(scene.solver.preset, problem.model().fields())));
+  int ranks, cells = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+  check(of_preset.set("", preset_options(scene.solver.preset, problem.model().fields(), ranks)));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();
@@ -339,8 +341,6 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   for (int k = 0; k < options.repeat; ++k) again = std::min(again, solver.set_up_again());
   const Solution loose = solver.solve(0, options.repeat), tight = solver.solve(tight_tolerance, 1);
 
-  int ranks, cells = 1;
-  MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
   std::string grid;
   for (int axis = 0; axis < scene.box.dim; ++axis) {
     cells *= scene.box.cells(axis);

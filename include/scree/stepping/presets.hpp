@@ -11,7 +11,7 @@
 namespace scree {
 
 /// Options of a preset for nodes with the unknowns `node`, those of Model::fields, nu being the first. With gas the ILU
-/// of `fieldsplit` has `fill` levels.
-PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int fill = 0);
+/// of `fieldsplit` has `fill` levels. `ranks` share the grid.
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int ranks = 1, int fill = 0);
 
 }  // namespace scree

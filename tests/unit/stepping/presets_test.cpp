@@ -97,7 +97,7 @@ TEST_F(Presets, NameNoOptionTwice) {
 
 TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
   for (const int fill : {0, 1})
-    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, with_gas, fill), "fieldsplit_0_sub_pc_factor_levels"),
+    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, with_gas, 1, fill), "fieldsplit_0_sub_pc_factor_levels"),
               std::to_string(fill));
 }
 
@@ -121,6 +121,10 @@ TEST_F(Presets, CondensedWithNothingToEliminateIsItsCore) {
 TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "condensed_core_pc_type"), "lu");
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "gamg");
+  const PetscOptionList on_four = preset_options(SolverPreset::condensed, without_gas, 4);
+  EXPECT_EQ(option(on_four, "condensed_core_pc_type"), "telescope");
+  EXPECT_EQ(option(on_four, "condensed_core_pc_telescope_reduction_factor"), "4");
+  EXPECT_EQ(option(on_four, "condensed_core_telescope_pc_type"), "lu");
 }
 
 }  // namespace
