@@ -30,6 +30,4 @@ cores=$(env -u OMP_NUM_THREADS nproc)
 export OMP_NUM_THREADS=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-# Open MPI: processes without mpirun share a directory, which the last to leave removes while another may be entering it.
-mkdir -p "${TMPDIR:-/tmp}/ompi.$(uname -n | cut -d. -f1).$(id -u)/jf.0/kept"
 exec ctest --test-dir "${SCREE_BUILD_DIR:-$root/build}" --output-on-failure --no-tests=error -j "$cores" "$@"

@@ -101,6 +101,7 @@ struct WallLaws {
     return pressure_on_floor(p, surface_stress<L>(scene, I, q, axis), half_weight(scene, I, axis, q(L::nu)));
   }
 
+  /// The same without the weight of thin layers: pressure_at_wall, unless there is no next cell.
   template <class Number>
   static Number extrapolated(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                              const Number& in_cell) {
