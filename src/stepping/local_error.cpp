@@ -10,50 +10,89 @@ namespace {
 
 /// Solids fraction below which v, T and chi count less.
 constexpr double few = 1e-2;
+/// Share of L4 in the norm.
+constexpr double local_share = 0.5;
+/// Root mean square of an unknown below which its error is absolute [scales].
+constexpr double floor = 0.1;
 
-/// Components by the weight with which they count.
-struct Judged {
-  std::vector<int> everywhere, with_particles;
+/// Of one unknown, all components of a vector together. Integrals over the box.
+struct Sums {
+  double volume = 0;            ///< in which there is what carries the unknown [m^dim]
+  double state = 0, error = 0;  ///< of squares
+  double error_4 = 0;           ///< of fourth powers, of the components of a vector each
+  static constexpr int members = 4;
 
-  explicit Judged(const DiscreteProblem& problem) {
-    const ProblemSetup& setup = problem.setup();
-    const Model& model = problem.model();
-    const bool gas_alone = !setup.model.solids_moving || setup.scales.density != setup.solids.kinetic.rho_s;
-    for (const Field& field : model.fields()) {
-      const ErrorNorm counts = field.unknown->error;
-      if (counts == ErrorNorm::everywhere || (counts == ErrorNorm::gas_alone && gas_alone))
-        everywhere.push_back(field.component);
-      else if (counts == ErrorNorm::with_particles)
-        with_particles.push_back(field.component);
-    }
+  /// Square of the norm of the error, relative to the state.
+  double squared_norm() const {
+    if (!(volume > 0)) return 0;
+    const double mean_square = error / volume + local_share * local_share * std::sqrt(error_4 / volume);
+    return mean_square / (state / volume + floor * floor);
   }
-  std::size_t size() const { return everywhere.size() + with_particles.size(); }
 };
+
+/// An unknown that a step is judged by, and its components in a node.
+struct Judged {
+  const Unknown* unknown;
+  std::vector<Field> components;
+};
+
+std::vector<Judged> judged_unknowns(const DiscreteProblem& problem) {
+  const ProblemSetup& setup = problem.setup();
+  const bool gas_alone = !setup.model.solids_moving || setup.scales.density != setup.solids.kinetic.rho_s;
+  std::vector<Judged> result;
+  for (const Field& field : problem.model().fields()) {
+    const ErrorNorm counts = field.unknown->error;
+    if (counts == ErrorNorm::none || (counts == ErrorNorm::gas_alone && !gas_alone)) continue;
+    if (result.empty() || result.back().unknown != field.unknown) result.push_back({field.unknown, {}});
+    result.back().components.push_back(field);
+  }
+  return result;
+}
+
+/// Volume about the place of a component in node I; 0 where the box has none [m^dim].
+double volume_about(const Lattice& grid, const Field& field, const Index& I) {
+  const int axis = field.face_axis;
+  if (axis < 0) return grid.inside(I) ? grid.volume(I) : 0;
+  return grid.is_face(axis, I) ? grid.face_area(axis, I) * grid.control_length(axis, I) : 0;
+}
+
+/// Adds node I to the sums of an unknown; x, e: the node in the state and in the error.
+void add_node(const Lattice& grid, const Judged& judged, const Index& I, const double* x, const double* e, Sums* sums) {
+  const bool of_gas = judged.unknown->error == ErrorNorm::gas_alone;
+  const double filled = of_gas ? 1 : std::clamp(x[Model::solids_fraction] / few, 0.0, 1.0);
+  const double counts = judged.unknown->error == ErrorNorm::everywhere ? 1 : filled;
+  for (const Field& field : judged.components) {
+    const double volume = volume_about(grid, field, I), x_c = x[field.component], e_c = e[field.component];
+    sums->volume += volume * filled / static_cast<double>(judged.components.size());
+    sums->state += volume * counts * x_c * x_c;
+    sums->error += volume * counts * e_c * e_c;
+    sums->error_4 += volume * counts * e_c * e_c * e_c * e_c;
+  }
+}
 
 }  // namespace
 
 PetscErrorCode norm_of_error(const DiscreteProblem& problem, Vec state, Vec error, double* norm) {
   PetscFunctionBeginUser;
-  const Judged judged(problem);
+  static_assert(sizeof(Sums) == Sums::members * sizeof(double));
+  const std::vector<Judged> judged = judged_unknowns(problem);
+  const Lattice& grid = problem.lattice();
   const int unknowns = problem.model().unknowns();
-  PetscInt size, local_size;
-  const double *d, *x;
-  PetscCall(VecGetSize(error, &size));
-  PetscCall(VecGetLocalSize(error, &local_size));
-  PetscCall(VecGetArrayRead(error, &d));
+  std::vector<Sums> sums(judged.size());
+  const double *e, *x;
+  PetscCall(VecGetArrayRead(error, &e));
   PetscCall(VecGetArrayRead(state, &x));
-  double sum = 0;
-  for (PetscInt node = 0; node < local_size; node += unknowns) {
-    const double weight = std::clamp(x[node + Model::solids_fraction] / few, 0.0, 1.0);
-    for (const int c : judged.everywhere) sum += d[node + c] * d[node + c];
-    for (const int c : judged.with_particles) sum += weight * d[node + c] * d[node + c];
-  }
+  for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
+    const int node = grid.owned(I) * unknowns;
+    for (std::size_t k = 0; k < judged.size(); ++k) add_node(grid, judged[k], I, x + node, e + node, &sums[k]);
+  });
   PetscCall(VecRestoreArrayRead(state, &x));
-  PetscCall(VecRestoreArrayRead(error, &d));
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(error))));
-  const double nodes = static_cast<double>(size) / unknowns;
-  *norm = std::sqrt(sum / (nodes * static_cast<double>(judged.size())));
+  PetscCall(VecRestoreArrayRead(error, &e));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums.data(), Sums::members * static_cast<int>(sums.size()), MPI_DOUBLE,
+                             MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(error))));
+  double total = 0;
+  for (const Sums& of_unknown : sums) total += of_unknown.squared_norm();
+  *norm = std::sqrt(total / static_cast<double>(judged.size()));
   PetscFunctionReturn(0);
 }
 

@@ -12,7 +12,7 @@ TimeStepper::TimeStepper(const DiscreteProblem& problem, const StepControl& cont
       control_(control),
       prefix_(std::move(prefix)),
       scheme_(control.scheme),
-      controller_(control.step),
+      controller_(control.step, scheme_.order()),
       stages_(problem, control_, history_) {
   history_.dt_next = control_.step.initial;
 }
@@ -141,7 +141,9 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   std::swap(past_[0], past_[1]);
   PetscCall(VecCopy(start_, past_[0]));
   history_.dt_past = {report->dt, history_.dt_past[0]};
-  const StepOutcome outcome{report->error, report->newton, report->rejected_solver > 0, report->rejected_error > 0};
+  const StepOutcome outcome{report->error, history_.error, report->newton, report->rejected_solver > 0,
+                            report->rejected_error > 0};
+  history_.error = report->error;
   history_.guess.step_done(outcome.newton, outcome.failed || outcome.error_too_large, outcome.easy());
   history_.newton.step_done(outcome.failed);
   history_.dt_next = controller_.next(report->dt, outcome, plan);
@@ -218,7 +220,7 @@ PetscErrorCode TimeStepper::local_error(double dt, double* error) {
   if (weights[2] != 0) PetscCall(VecAXPY(difference_, weights[2], past_[1]));
   PetscCall(VecAXPY(difference_, -1, state_));
   PetscCall(norm_of_error(problem_, state_, difference_, error));
-  *error *= scheme_.error_share(dt, history_.dt_past) / control_.accuracy;
+  *error *= scheme_.error_share(dt, history_.dt_past) / control_.local_tolerance();
   PetscFunctionReturn(0);
 }
 

@@ -81,8 +81,8 @@ struct TimeParameters {
   double end_time = 1;
   double step_initial = 1e-6;
   double step_min = 1e-12;
-  double step_max = 2e-2;
-  double accuracy = 1e-2;  ///< relative local error a step may make; the one accuracy knob
+  double step_max = std::numeric_limits<double>::infinity();
+  double accuracy = 3e-2;  ///< relative error in time that is asked for; the one accuracy knob
   bool adaptive = true;    ///< false: fixed step = step_initial
 };
 

@@ -5,9 +5,15 @@
 
 namespace scree {
 
-/// Root mean square of `error` over the unknowns that a step is judged by, in units of the scales: nu, v, T and chi, or
-/// u in scenes where it alone can change; p_g has no error of its own. v, T and chi count less where `state` has fewer
-/// particles: in voids they follow eddies of the gas, with much shorter steps than the bed asks for. Collective.
+/// Of `error` in a step that led to `state`, relative to what is there: root mean square over the unknowns that a step
+/// is judged by of
+///
+///     sqrt(rms^2 + L4^2/4) / sqrt(rms(unknown)^2 + floor^2),    rms^2 = <e^2>, L4^2 = sqrt(<e^4>),
+///
+/// <> being the mean over the volume in which there are particles, or gas where it alone can change. L4 sees what the
+/// mean square does not: lips, fronts and bubbles are small parts of a bed. Neither empty space nor its cells, nor the
+/// scales of the scene, change the norm. v, T and chi count less where `state` has fewer particles: in voids they
+/// follow eddies of the gas, with much shorter steps than the bed asks for. p_g has no error of its own. Collective.
 PetscErrorCode norm_of_error(const DiscreteProblem& problem, Vec state, Vec error, double* norm);
 
 }  // namespace scree

@@ -19,10 +19,12 @@ struct NewtonTolerance {
   int calm = 0;           ///< steps since the last failure
   int wait = least_wait;  ///< steps without a failure after which the next is solved loosely
 
-  /// For steps that may make the local error `accuracy`.
-  double residual(double accuracy) const { return std::min((calm < wait ? tight : loose) * accuracy, most); }
+  /// For steps that may make the local error `local_tolerance`.
+  double residual(double local_tolerance) const {
+    return std::min((calm < wait ? tight : loose) * local_tolerance, most);
+  }
   /// How far off a single unknown may be where particles are few [scales].
-  static double dilute(double accuracy) { return std::min(3 * accuracy, most_dilute); }
+  static double dilute(double local_tolerance) { return std::min(3 * local_tolerance, most_dilute); }
   /// An attempt; the next one of the same step is to do better. A tight one that fails says nothing of loose ones.
   void failed() {
     if (calm >= wait) wait = calm < 2 * wait ? std::min(2 * wait, most_wait) : least_wait;

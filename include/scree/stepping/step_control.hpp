@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scree/stepping/choices.hpp"
+#include "scree/stepping/scheme.hpp"
 #include "scree/stepping/step_controller.hpp"
 
 namespace scree {
@@ -9,9 +10,12 @@ namespace scree {
 struct StepControl {
   TimeScheme scheme = TimeScheme::beuler;
   StepBounds step;
-  double accuracy = 1e-2;                    ///< root mean square of the local error of a step, see norm_of_error
+  double accuracy = 3e-2;                    ///< relative error in time that is asked for
   TangentKind tangent = TangentKind::exact;  ///< of Newton's method
   bool extrapolate = true;  ///< first guess of Newton's method on the line of the last states if that is better
+
+  /// What the local error of a step may be in the norm of norm_of_error.
+  double local_tolerance() const { return Scheme(scheme).local_tolerance(accuracy); }
 };
 
 }  // namespace scree

@@ -16,6 +16,7 @@ struct StepBounds {
 /// What became of a step.
 struct StepOutcome {
   double error = 0;              ///< local error over what it may be; 0 where there is no estimate
+  double error_before = 0;       ///< that of the step before
   int newton = 0;                ///< iterations, failed attempts included
   bool failed = false;           ///< attempts given up since Newton or Krylov failed
   bool error_too_large = false;  ///< attempts given up since the local error was too large
@@ -29,9 +30,13 @@ class StepController {
   static constexpr int hard_newton = 8;      ///< iterations from which on a step counts as hard: it shrinks
   static constexpr double growth = 1.3;      ///< of easy steps
   static constexpr double reduction = 0.25;  ///< after a failure of the solver
-  static constexpr double safety = 0.8, least_factor = 0.3;
+  static constexpr double aim = 0.64, least_factor = 0.3;
+  /// Exponents of the errors of the last step and of the one before: the controller PI.4.2 of Soederlind & Wang (2006),
+  /// J. Comput. Appl. Math. 185, 225.
+  static constexpr double last = 0.6, before_last = -0.2;
 
-  explicit StepController(const StepBounds& bounds) : bounds_(bounds) {}
+  /// `order` of the scheme.
+  StepController(const StepBounds& bounds, int order) : bounds_(bounds), power_(order + 1) {}
 
   /// A step to make, and the one that was meant: shorter where a time is near that the step must not pass.
   struct Plan {
@@ -54,7 +59,7 @@ class StepController {
   bool accepts(double dt, double error) const { return !bounds_.adaptive || error <= 1 || dt <= 2 * bounds_.least; }
   /// The next attempt at a step of dt whose error was too large.
   double after_rejection(double dt, double error) const {
-    return std::max(bounds_.least, dt * std::max(least_factor, safety / std::sqrt(error)));
+    return std::max(bounds_.least, dt * std::max(least_factor, std::pow(aim / error, 1 / power_)));
   }
   /// The step after one of dt, which came of `plan`.
   double next(double dt, const StepOutcome& outcome, const Plan& plan) const {
@@ -64,7 +69,7 @@ class StepController {
   }
 
  private:
-  static double factor(const StepOutcome& outcome) {
+  double factor(const StepOutcome& outcome) const {
     double factor = growth;
     if (outcome.failed)
       factor = 1;
@@ -73,11 +78,16 @@ class StepController {
     else if (!outcome.easy())
       factor = 1 + (growth - 1) * (hard_newton - outcome.newton) / (hard_newton - StepOutcome::easy_newton);
     if (outcome.error_too_large) factor = std::min(factor, 1.0);
-    if (outcome.error > 0) factor = std::min(factor, safety / std::sqrt(outcome.error));
+    if (outcome.error > 0) factor = std::min(factor, by_error(outcome.error, outcome.error_before));
     return factor;
+  }
+  double by_error(double error, double before) const {
+    if (!(before > 0)) return std::pow(aim / error, 1 / power_);
+    return std::pow(aim / error, last / power_) * std::pow(aim / before, before_last / power_);
   }
 
   StepBounds bounds_;
+  double power_;  ///< of dt in the local error
 };
 
 }  // namespace scree

@@ -13,6 +13,7 @@ namespace scree {
 struct StepHistory {
   double dt_next = 0;  ///< step to try [s]
   PastSteps dt_past{0, 0};
+  double error = 0;  ///< local error of the last step over what it might be; 0: not known
   FirstGuessPolicy guess;
   NewtonTolerance newton;
 
@@ -22,6 +23,7 @@ struct StepHistory {
     visit("dt_next", dt_next);
     visit("dt_past_0", dt_past[0]);
     visit("dt_past_1", dt_past[1]);
+    visit("error", error);
     visit("easy_steps", guess.easy_steps);
     visit("guess", guess.choice);
     visit("calm_steps", newton.calm);
@@ -31,6 +33,7 @@ struct StepHistory {
   /// After something that makes past states and steps no guide: begins small again.
   void forget_past(double step_initial) {
     dt_past = {0, 0};
+    error = 0;
     guess = FirstGuessPolicy();
     dt_next = std::min(dt_next, step_initial);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace scree::test {
 namespace {
@@ -35,18 +36,41 @@ TEST(Scheme, NeedsAsManyPastStepsAsItsOrder) {
   }
 }
 
-/// On x = t^(order+1), with which the extrapolation errs: the estimate is never less than the error of the scheme.
-TEST(Scheme, EstimatesTheLocalErrorOnTheSafeSide) {
-  for (const double ratio : {0.5, 1.0, 1.3}) {
-    const double dt = ratio;
-    const PastSteps past{1, 1};
-    // Backward Euler from x(0) = 0 with x' = 2t: dt * 2 dt.
-    const double euler = 2 * dt * dt, to_extrapolation = euler - (-dt / past[0] * 1);
-    EXPECT_GE(Scheme(TimeScheme::beuler).error_share(dt, past) * to_extrapolation, euler - dt * dt) << ratio;
+/// A step of y' = 2t from y(0) = 0, behind one that ended at t = 0 with the slope of its end.
+TEST(Scheme, KnowsTheLocalErrorOfBackwardEulerForStepsOfAnyLength) {
+  const Scheme scheme(TimeScheme::beuler);
+  for (const double dt : {0.25, 1.0, 1.3}) {
+    const double now = 0, before = now - 1 * 0.0;  // the slope at t = 0 is 0
+    const StateWeights weights = scheme.extrapolation(dt, {1, 0});
+    const double next = now + dt * 2 * dt, line = weights[0] * now + weights[1] * before;
+    EXPECT_NEAR(scheme.error_share(dt, {1, 0}) * (next - line), next - dt * dt, 1e-14) << dt;
   }
-  EXPECT_DOUBLE_EQ(Scheme(TimeScheme::beuler).error_share(1, {1, 1}), 1.0 / 2);
-  EXPECT_DOUBLE_EQ(Scheme(TimeScheme::bdf).error_share(1, {1, 1}), 1.0 / 3);
-  EXPECT_DOUBLE_EQ(Scheme(TimeScheme::arkimex).error_share(1, {2, 1}), 1.0 / 4);
+}
+
+/// A step of y' = t^2 from the exact states.
+TEST(Scheme, KnowsTheLocalErrorsOfOrderTwo) {
+  const auto y = [](double t) { return t * t * t / 3; };
+  for (const double dt : {0.25, 1.0, 1.3}) {
+    const double d1 = 1, d2 = 0.8, c = 2 - std::sqrt(2.0);
+    const PastSteps past{d1, d2};
+    const double bdf = dt * dt * (dt + d1) * 2 / 6;  // the slope of a parabola at one of its points
+    const double tr_bdf = dt * dt * dt * (c * c / std::sqrt(8.0) + 1 - std::sqrt(0.5)) - y(dt);  // as a quadrature
+    for (const auto& [name, error] : {std::pair{TimeScheme::bdf, bdf}, {TimeScheme::arkimex, tr_bdf}}) {
+      const Scheme scheme(name);
+      const StateWeights weights = scheme.extrapolation(dt, past);
+      const double parabola = weights[0] * y(0) + weights[1] * y(-d1) + weights[2] * y(-d1 - d2);
+      EXPECT_NEAR(scheme.error_share(dt, past) * (y(dt) - parabola), error, 1e-14) << name_of(name) << ", " << dt;
+    }
+  }
+}
+
+/// A tenth of the accuracy takes a tenth of the length of the steps where the order is 1, and so on.
+TEST(Scheme, AllowsLocalErrorsThatLeaveTheAccuracyAskedFor) {
+  for (const TimeScheme name : all_schemes) {
+    const Scheme scheme(name);
+    const double ratio = scheme.local_tolerance(1e-2) / scheme.local_tolerance(1e-3);
+    EXPECT_NEAR(std::pow(ratio, scheme.order() / (scheme.order() + 1.0)), 10, 1e-12) << name_of(name);
+  }
 }
 
 }  // namespace

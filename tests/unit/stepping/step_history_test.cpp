@@ -57,13 +57,14 @@ TEST(StepHistory, GoesThroughACheckpointByName) {
   StepHistory history;
   history.dt_next = 1;
   history.dt_past = {2, 3};
+  history.error = 7;
   history.guess = {FirstGuess::line, 4};
   history.newton.calm = 5;
   history.newton.wait = 6;
   std::map<std::string, double> saved;
   history.each_member([&](const char* name, const auto& member) { saved[name] = static_cast<double>(member); });
   const std::map<std::string, double> expected{{"dt_next", 1},    {"dt_past_0", 2}, {"dt_past_1", 3}, {"easy_steps", 4},
-                                               {"calm_steps", 5}, {"calm_wait", 6}, {"guess", 2}};
+                                               {"calm_steps", 5}, {"calm_wait", 6}, {"guess", 2},     {"error", 7}};
   EXPECT_EQ(saved, expected);
   StepHistory again;
   again.each_member([&](const char* name, auto& member) {
@@ -77,11 +78,13 @@ TEST(StepHistory, BeginsSmallAndAsksAnewAfterAnEvent) {
   StepHistory history;
   history.dt_next = 0.1;
   history.dt_past = {0.1, 0.1};
+  history.error = 0.5;
   history.guess = {FirstGuess::line, 9};
   history.newton.calm = 50;
   history.forget_past(1e-4);
   EXPECT_EQ(history.dt_next, 1e-4);
   EXPECT_EQ(history.dt_past, (PastSteps{0, 0}));
+  EXPECT_EQ(history.error, 0);
   EXPECT_EQ(history.guess.choice, FirstGuess::better);
   EXPECT_EQ(history.guess.easy_steps, 0);
   EXPECT_EQ(history.newton.calm, 50) << "how well Newton's method does is not forgotten";
