@@ -166,7 +166,7 @@ def table():
           for model, file, factor in (("relaxed", "paper", 1.0), ("critical_state", "critical_state", 1.0),
                                       ("no_friction", "no_friction", 2.0))),
         parameter_entry("parameters/base", {}),
-        parameter_entry("parameters/accuracy", {"accuracy": "3e-3"}),
+        parameter_entry("parameters/accuracy", {"accuracy": "3e-2"}),
         *(parameter.entry(steps) for parameter in PARAMETERS for steps in DIFFERENCES),
     ]
     return {entry.name: entry for entry in entries}

@@ -21,8 +21,7 @@ class Setting:
     grid: str
     advection: str = "upwind"
     time_scheme: str = "beuler"
-    accuracy: float = 1e-2
-    time_step_max: float = 2e-2  # [s]
+    accuracy: float = 0.1
     friction_model: str = "relaxed"
     granular_temperature: str = "transport"
     gas: str = "none"
@@ -44,8 +43,6 @@ class Setting:
     def label(self, usual):
         """Short and fit for a directory: grid, schemes, accuracy, and in what else it differs from `usual`."""
         parts = [self.grid.replace(" ", ""), self.advection, self.time_scheme, f"{self.accuracy:.0e}"]
-        if self.time_step_max != usual.time_step_max:
-            parts.append(f"dt{1e3 * self.time_step_max:g}ms")
         parts += [value for value, default in zip(self.model[:2], usual.model[:2]) if value != default]
         parts += [f"gas-{self.gas}"] if self.gas != usual.gas else []
         parts += [f"{self.width}-width"] if self.width != usual.width else []
@@ -141,8 +138,8 @@ class Series:
 
 
 def plain(rows, usual):
-    """Runs that differ from the default in grid, advection, time only, and with its time scheme and longest step."""
-    same = ("time_scheme", "time_step_max", "friction_model", "granular_temperature", "gas", "width", "solver", "ranks")
+    """Runs that differ from the default in grid, advection, time only, and with its time scheme."""
+    same = ("time_scheme", "friction_model", "granular_temperature", "gas", "width", "solver", "ranks")
     return [row for row in rows
             if all(getattr(row.setting, name) == getattr(usual, name) for name in same)]
 
@@ -272,7 +269,7 @@ def add_errors(rows, usual):
             if row.setting.model == usual.model:
                 row.errors["total"][name] = relative(row.values[name], reference.value)
                 row.doubts["total"][name] = reference.doubt
-        add_time_errors(rows, name, usual)
+        add_time_errors(rows, name)
         add_model_errors(rows, name)
     return references
 
@@ -281,16 +278,14 @@ def quantities(rows):
     return list(dict.fromkeys(name for row in rows for name in row.values))
 
 
-def add_time_errors(rows, name, usual):
+def add_time_errors(rows, name):
     """Errors against the tightest run of the same grid, advection and model. It is itself uncertain by its distance from
     the tightest of the other schemes, or else from the next accuracy."""
     groups = {}
     for row in rows:
         groups.setdefault((row.setting.grid, row.setting.advection, row.setting.model), []).append(row)
     for group in groups.values():
-        usual_step = usual.time_step_max
-        candidates = sorted((row for row in group if row.setting.time_step_max == usual_step and not row.setting.solver
-                             and row.setting.ranks == 1),
+        candidates = sorted((row for row in group if not row.setting.solver and row.setting.ranks == 1),
                             key=lambda row: (row.setting.accuracy, SCHEMES_BY_ORDER.index(row.setting.time_scheme)))
         if len({row.setting.accuracy for row in candidates}) < 2:
             continue

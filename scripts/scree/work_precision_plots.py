@@ -118,12 +118,11 @@ def curve(axes, group, kind, name, doubt, text, below=False):
 
 def draw_total(rows, references, usual, case):
     """Error against the extrapolated value: a curve over grids for each pair of schemes and family of grids; small points
-    are the runs of other accuracies and steps."""
+    are the runs of other accuracies."""
     names = [name for name, reference in references.items() if reference]
     figure, all_axes = panels(names, case, "CPU seconds", "error against extrapolated value (%)")
     same = [row for row in rows if row.setting.model == usual.model and not row.setting.solver and row.setting.ranks == 1]
-    on_curve = [row for row in same if row.setting.accuracy == usual.accuracy
-                and row.setting.time_step_max == usual.time_step_max]
+    on_curve = [row for row in same if row.setting.accuracy == usual.accuracy]
     finest = min(on_curve, key=lambda row: row.cell_size).family
     lowest = finest if finest != "uniform" else None  # graded cells lie below uniform ones
     for axes, name in zip(all_axes, names):
@@ -139,7 +138,7 @@ def draw_total(rows, references, usual, case):
             group = sorted(group, key=lambda row: -row.cell_size)
             curve(axes, group, "total", name, doubt, lambda row: grid_label(row, labelled), group[0].family == lowest)
         band(axes, doubt)
-    legend(figure, rows, f"small: accuracy other than {usual.accuracy:g}, or other longest step")
+    legend(figure, rows, f"small: accuracy other than {usual.accuracy:g}")
     return figure
 
 
@@ -154,7 +153,7 @@ def grid_label(row, labelled):
 def draw_time(rows, usual, case):
     """Error against the tightest accuracy on the usual grid: a curve over accuracies for each pair of schemes."""
     same = [row for row in rows if row.setting.model == usual.model and row.setting.grid == usual.grid
-            and row.setting.time_step_max == usual.time_step_max and not row.setting.solver and row.setting.ranks == 1]
+            and not row.setting.solver and row.setting.ranks == 1]
     names = [name for name in work_precision.quantities(rows)
              if any(math.isfinite(row.error("time", name)) for row in same)]
     figure, all_axes = panels(names, f"{case}, {usual.grid}", "CPU seconds", "error against tightest accuracy (%)")

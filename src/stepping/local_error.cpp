@@ -12,8 +12,8 @@ namespace {
 constexpr double few = 1e-2;
 /// Share of L4 in the norm.
 constexpr double local_share = 0.5;
-/// Root mean square of an unknown below which its error is absolute [scales].
-constexpr double floor = 0.1;
+/// Of the scales of nu, chi and velocities: errors of what is smaller are absolute.
+constexpr double small = 0.1;
 
 /// Of one unknown, all components of a vector together. Integrals over the box.
 struct Sums {
@@ -22,8 +22,8 @@ struct Sums {
   double error_4 = 0;           ///< of fourth powers, of the components of a vector each
   static constexpr int members = 4;
 
-  /// Square of the norm of the error, relative to the state.
-  double squared_norm() const {
+  /// Square of the norm of the error, relative to the state, where that is no less than `floor`.
+  double squared_norm(double floor) const {
     if (!(volume > 0)) return 0;
     const double mean_square = error / volume + local_share * local_share * std::sqrt(error_4 / volume);
     return mean_square / (state / volume + floor * floor);
@@ -70,6 +70,13 @@ void add_node(const Lattice& grid, const Judged& judged, const Index& I, const d
   }
 }
 
+/// Below which root mean square an unknown counts as that [scale]: T goes with the square of velocities.
+double floor_of(const Unknown& unknown, const Scales& scales) {
+  Scales slower = scales;
+  slower.velocity *= small;
+  return std::min(small, unknown.scale(slower) / unknown.scale(scales));
+}
+
 }  // namespace
 
 PetscErrorCode norm_of_error(const DiscreteProblem& problem, Vec state, Vec error, double* norm) {
@@ -91,7 +98,8 @@ PetscErrorCode norm_of_error(const DiscreteProblem& problem, Vec state, Vec erro
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums.data(), Sums::members * static_cast<int>(sums.size()), MPI_DOUBLE,
                              MPI_SUM, PetscObjectComm(reinterpret_cast<PetscObject>(error))));
   double total = 0;
-  for (const Sums& of_unknown : sums) total += of_unknown.squared_norm();
+  for (std::size_t k = 0; k < judged.size(); ++k)
+    total += sums[k].squared_norm(floor_of(*judged[k].unknown, problem.setup().scales));
   *norm = std::sqrt(total / static_cast<double>(judged.size()));
   PetscFunctionReturn(0);
 }

@@ -1,21 +1,11 @@
 """T1, homogeneous cooling, without gas and with gas at zero slip: the exact T(t) and the time order of each scheme."""
-import numpy as np
-from closures import RHO_S, check_closures, dissipation_factor, drag_at_rest
+from closures import check_closures
 from gas_relations import check_balances
+from haff_cooling_exact import temperature
 from scree_program import EXACT, Checks, Program
 
-NU, T0 = 0.3, 1e-4
 SCHEMES = {"beuler": (1, 1.5e-2), "bdf": (2, 2e-4), "arkimex": (2, 1e-5)}
 WITH_GAS = {"beuler": (1, 8e-2), "bdf": (2, 4e-3), "arkimex": (2, 3e-4)}  # T falls to a tenth: larger steps
-
-
-def temperature(t, d, gas=False):
-    """T of (3/2) rho_s nu T' = -J_coll - 3 beta T; sqrt(T) obeys a Bernoulli equation."""
-    a, s = 2 / 3 * dissipation_factor(NU) / (NU * d), np.sqrt(T0)
-    if not gas:
-        return T0 / (1 + a * s * t / 2) ** 2
-    b = 2 * drag_at_rest(NU, d) / (RHO_S * NU)
-    return (b * s / ((b + a * s) * np.exp(b * t / 2) - a * s)) ** 2
 
 
 program, checks = Program(), Checks("cooling of particles at rest, nu 0.3, T0 1 cm2/s2", "T1")

@@ -10,10 +10,11 @@ namespace scree {
 ///
 ///     sqrt(rms^2 + L4^2/4) / sqrt(rms(unknown)^2 + floor^2),    rms^2 = <e^2>, L4^2 = sqrt(<e^4>),
 ///
-/// <> being the mean over the volume in which there are particles, or gas where it alone can change. L4 sees what the
-/// mean square does not: lips, fronts and bubbles are small parts of a bed. Neither empty space nor its cells, nor the
-/// scales of the scene, change the norm. v, T and chi count less where `state` has fewer particles: in voids they
-/// follow eddies of the gas, with much shorter steps than the bed asks for. p_g has no error of its own. Collective.
+/// the floor being a tenth for nu and chi, and what v, T or u are at a tenth of the velocity scale. <> is the mean over
+/// the volume in which there are particles, or gas where it alone can change. L4 sees what the mean square does not:
+/// lips, fronts and bubbles are small parts of a bed. Neither empty space nor its cells, nor the scales of the scene,
+/// change the norm. v, T and chi count less where `state` has fewer particles: in voids they follow eddies of the gas,
+/// with much shorter steps than the bed asks for. p_g has no error of its own. Collective.
 PetscErrorCode norm_of_error(const DiscreteProblem& problem, Vec state, Vec error, double* norm);
 
 }  // namespace scree

@@ -10,7 +10,7 @@ namespace scree {
 struct StepControl {
   TimeScheme scheme = TimeScheme::beuler;
   StepBounds step;
-  double accuracy = 3e-2;                    ///< relative error in time that is asked for
+  double accuracy = 0.1;                     ///< relative error in time that is asked for
   TangentKind tangent = TangentKind::exact;  ///< of Newton's method
   bool extrapolate = true;  ///< first guess of Newton's method on the line of the last states if that is better
 
