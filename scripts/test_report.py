@@ -28,7 +28,7 @@ Checks alike in all runs of a script are one line, with the worst. Explanations 
 #: Page -> its title, the letter of its ids, what it has.
 PAGES = {
     "orders.md": ("Order of accuracy", None, "order in space and time for each unknown, manufactured solutions (T19)"),
-    "exact.md": ("Exact solutions", "T", "exact and semi-analytic solutions (T1 to T22)"),
+    "exact.md": ("Exact solutions", "T", "exact and semi-analytic solutions (T1 to T24)"),
     "hard.md": ("Hard cases", "H", "hard cases (H1 to H20)"),
     "robustness.md": ("Robustness", "R", "what the program stands (R1 to R7)"),
 }

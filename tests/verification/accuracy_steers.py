@@ -1,9 +1,9 @@
-"""T23, the accuracy steers: errors in time are no greater than was asked for, they fall in proportion to it, and neither empty space nor the velocity scale nor a change of units changes the steps."""
+"""T24, the accuracy steers: errors in time are no greater than was asked for, they fall in proportion to it, and neither empty space nor the velocity scale nor a change of units changes the steps."""
 import numpy as np
 from haff_cooling_exact import temperature
 from scree_program import EXACT, Checks, Program
 
-program, checks = Program(), Checks("errors in time against the accuracy asked for", "T23")
+program, checks = Program(), Checks("errors in time against the accuracy asked for", "T24")
 ORDER_ONE, ORDER_TWO = 5, 2.5  # the least factor by which the error falls for a tenth of the accuracy; see below
 
 
