@@ -86,6 +86,7 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscCall(SNESGetConvergedReason(self.newton_, &reason));
   PetscCall(SNESSetUp(self.newton_));
 
+  PetscCall(self.begin_newton());
   PetscCall(self.guess(state, reason < 0));
   PetscCall(VecCopy(state, self.guess_));
   bool renews = !self.age_.is_new(), stronger = true;  // one made in this stage would be made of the same Jacobian
@@ -113,10 +114,19 @@ PetscErrorCode StageSolver::solve_stage(SNES shell, Vec state) {
   PetscFunctionReturn(0);
 }
 
+PetscErrorCode StageSolver::begin_newton() {
+  PetscFunctionBeginUser;
+  double dt;
+  PetscCall(TSGetTimeStep(ts_, &dt));
+  const bool over_the_step = scheme_.name() == TimeScheme::beuler;
+  problem_.model().begin_newton(tests_jacobian_ ? TangentKind::exact : control_.tangent, over_the_step ? dt : 0);
+  PetscFunctionReturn(0);
+}
+
 PetscErrorCode StageSolver::run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason) {
   PetscFunctionBeginUser;
   PetscInt iterations, krylov;
-  problem_.model().begin_newton(tests_jacobian_ ? TangentKind::exact : control_.tangent);
+  PetscCall(begin_newton());
   PetscCall(SNESSolve(newton_, right_side, state));
   PetscCall(SNESGetConvergedReason(newton_, reason));
   PetscCall(SNESGetIterationNumber(newton_, &iterations));

@@ -39,11 +39,11 @@ for scheme in ("upwind", "van_albada"):
     x, nu, t = centres(last["x_faces"]), last["solids_fraction"], last["time"]
     fall = np.sum(x * first["solids_fraction"]) / np.sum(first["solids_fraction"]) - np.sum(x * nu) / np.sum(nu)
     checks.close(f"slab, {scheme}: fall of its centre [m]", fall, G * t**2 / 2, relative=2e-2)
-    checks.close(f"slab, {scheme}: mass against its start", np.sum(nu) / np.sum(first["solids_fraction"]), 1, absolute=1e-12)
+    checks.below(f"slab, {scheme}: mass error", np.abs(run.monitor["mass_error"]).max() / run.monitor["mass"][0], 1e-12)
     checks.above(f"slab, {scheme}: least nu ever", run.monitor["solids_fraction_min"].min(), -1e-9)
     checks.below(f"slab, {scheme}: greatest nu ever", run.monitor["solids_fraction_max"].max(), 0.5 + 1e-3)
     # momentum of all faces, each with the mass that its balance gives it: the mean of its two cells
     nu_face, v = 0.5 * (nu[1:] + nu[:-1]), last["velocity_x_face"][1:-1]
     checks.close(f"slab, {scheme}: mean velocity [m/s]", np.sum(nu_face * v) / np.sum(nu_face), -G * t,
-                 relative=1e-2 if scheme == "upwind" else 5e-2)  # sharp edges cross a cell a step, see compaction_shock.py
+                 relative=2e-4)  # the front crosses a cell a step, and some of it leaves
 checks.verdict()

@@ -15,6 +15,7 @@ struct Scene : Metrics {
   double time = 0;                               ///< for inlets that are given as functions of time [s]
   std::array<double, max_dim> gravity{0, 0, 0};  ///< as it is felt in the box, which may vibrate [m/s2]
   NewtonTangent* tangent = nullptr;              ///< of a Jacobian that is not the exact one
+  double step = 0;  ///< that rates are differences over, x - step x_dot being x before it; 0: they are not [s]
 
   Scene(const Lattice& lattice_, const Barriers& barriers_, const ModelParameters& model_,
         const SolidsParameters& solids_)

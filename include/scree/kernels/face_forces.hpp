@@ -14,6 +14,7 @@ namespace scree {
 /// void_floor is added to nu in the inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay
 /// (towards that of the gas, by the gas's own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu
 /// alone. With gas it is reduced by buoyancy, since p_g is what exceeds the pressure of still gas.
+/// nu is that before the step, where the scheme is backward Euler: see solids_momentum.hpp.
 /// On an open side the control volume is half a cell, and moves with it as much of the particles that have just left:
 /// what falls out of an orifice is not held back by the stress inside alone.
 template <class L, int axis>
@@ -38,7 +39,7 @@ struct FaceForces {
   static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
-    Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
+    Number nu = before_step<L>(scene, I, q);
     if (scene.on_side(axis, I)) {
       const double outwards = box_above(scene, axis, I) ? -1 : 1;
       nu = nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis)))));
@@ -50,6 +51,12 @@ struct FaceForces {
   }
 
  private:
+  /// nu at the face before the step that the rates are differences over; as it is where they are not.
+  template <class Layout, class Q>
+  static auto before_step(const Scene& scene, const Index& I, const Q& q) {
+    const auto before = [&](int component, const Index& at) { return q(component, at) - scene.step * q.dot(component, at); };
+    return face_solids_fraction<Layout>(scene, I, before, axis, Index{});
+  }
   /// How far the half cell beyond an open side is filled by what leaves with the speed `outflow`: 0 at rest, where
   /// nothing lies outside, 1 in a flow much faster than a tenth of sqrt(g d).
   template <class Number>

@@ -51,7 +51,8 @@ class AssembledModel final : public Model {
   }
 
   void residual(double time, const double* state, const double* rate, double* residual) const override {
-    const Scene scene = assembly_.scene.at(time);
+    Scene scene = assembly_.scene.at(time);
+    scene.step = step_;
     std::fill_n(residual, L::count * setup_.lattice.owned_size(), 0.0);
     Assembly::ResidualVisitor visitor(assembly_, scene, state, rate, residual);
     sweep(visitor);
@@ -75,6 +76,7 @@ class AssembledModel final : public Model {
   void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
                 double* diagonal, double* off_diagonal) const override {
     Scene scene = assembly_.scene.at(time);
+    scene.step = step_;
     scene.tangent = tangent_.get();
     if (tangent_) tangent_->next();
     Assembly::JacobianVisitor visitor(assembly_, scene, state, rate, shift, places, diagonal, off_diagonal);
@@ -90,7 +92,8 @@ class AssembledModel final : public Model {
     each_pressure_row([&](int, const Index&) { visitor.put(pressure_hold); });
   }
 
-  void begin_newton(TangentKind kind) const override {
+  void begin_newton(TangentKind kind, double step) const override {
+    step_ = step;
     if (kind == TangentKind::exact || !setup_.solids.friction.model->has_friction) {
       tangent_.reset();
     } else if (tangent_) {
@@ -397,6 +400,7 @@ class AssembledModel final : public Model {
 
   ModelSetup setup_;
   mutable std::unique_ptr<NewtonTangent> tangent_;  ///< none: the exact one
+  mutable double step_ = 0;  ///< of backward Euler, 0 for other schemes [s]
   Assembly assembly_;
   std::vector<Field> fields_;
 };

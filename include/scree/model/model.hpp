@@ -35,8 +35,9 @@ class Model {
   virtual void jacobian(double time, const double* state, const double* rate, double shift, const EntryPlaces& places,
                         double* diagonal, double* off_diagonal) const = 0;
 
-  /// Newton's method begins anew, with this tangent: see assembly/newton_tangent.hpp.
-  virtual void begin_newton(TangentKind tangent) const = 0;
+  /// Newton's method begins anew, with this tangent: see assembly/newton_tangent.hpp. `step`: that of backward Euler, 0
+  /// for other schemes [s].
+  virtual void begin_newton(TangentKind tangent, double step) const = 0;
   /// Changes what ModelParameters gave [Pa/m].
   virtual void set_mean_pressure_gradient(const std::array<double, max_dim>& gradient) = 0;
 

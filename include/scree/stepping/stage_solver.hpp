@@ -73,6 +73,7 @@ class StageSolver {
   static PetscErrorCode before_iteration(SNES, PetscInt iteration);
 
   PetscErrorCode create_newton();
+  PetscErrorCode begin_newton();
   PetscErrorCode run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason);
   PetscErrorCode strengthen(bool renews, bool* stronger);
   PetscErrorCode guess(Vec state, bool after_failure);
