@@ -1,4 +1,4 @@
-/// Balance of the fluidity g_f of nonlocal friction, row of g_f at cell centres, times nu [1/s]:
+/// Balance of the fluidity g_f of nonlocal friction, eq. (F), row of g_f at cell centres, times nu [1/s]:
 ///
 ///     t_0 nu (d(g_f)/dt + v.grad g_f) = div(nu A^2 d^2 grad g_f) + nu {-mu_s g_f + gdot (1 - b d sqrt(rho_s/p_f) g_f)}
 ///
@@ -30,7 +30,7 @@ struct Fluidity {
   static constexpr Unknown unknown{"fluidity",
                                    "g_f",
                                    "1/s",
-                                   "fluidity of nonlocal friction",
+                                   "fluidity of nonlocal friction, (F)",
                                    Place::cell,
                                    scale,
                                    row_scale,
