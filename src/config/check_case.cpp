@@ -133,12 +133,26 @@ void check_region(const Case& the_case, const InitialRegion& region) {
 
 const char* name_of(FrictionCoefficient coefficient) {
   if (coefficient == FrictionCoefficient::cidr) return "cidr";
+  if (coefficient == FrictionCoefficient::fluidity) return "fluidity";
   return coefficient == FrictionCoefficient::mu_i ? "mu_i" : "mu_i_regularised";
+}
+
+/// The balance of fluidity is compiled for few scenes.
+void check_fluidity(const Case& the_case) {
+  if (!has_fluidity(the_case.friction)) return;
+  const auto asks = [](const std::string& what) {
+    throw InputError("friction_coefficient", "fluidity", "another one where " + what);
+  };
+  if (the_case.friction.model != FrictionModel::relaxed)
+    asks(std::string("friction_model is ") + the_case.friction.model->name + "; fluidity takes relaxed");
+  if (the_case.gas.model != GasModel::none) asks("there is a gas; fluidity takes gas none");
+  if (the_case.box.dim != 2)
+    asks("dimension is " + std::to_string(the_case.box.dim) + "; fluidity takes two dimensions");
 }
 
 /// M(I): known to the models that take it, and growing with I.
 void check_friction_coefficient(const FrictionParameters& friction) {
-  if (!friction.model->has_friction || friction.coefficient == FrictionCoefficient::constant) return;
+  if (!friction.model->has_friction || !has_inertial_coefficient(friction)) return;
   if (friction.model != FrictionModel::critical_state && friction.model != FrictionModel::relaxed)
     throw InputError("friction_coefficient", name_of(friction.coefficient),
                      std::string("constant for friction_model ") + friction.model->name +
@@ -222,6 +236,7 @@ void check_output(const Case& the_case) {
 void check_case(Case& the_case) {
   check_restitutions(the_case);
   check_friction(the_case.friction);
+  check_fluidity(the_case);
   check_cells(the_case);
   check_lagging(the_case.friction, the_case.time);
   check_time(the_case.time);

@@ -7,6 +7,40 @@
 
 namespace scree {
 
+namespace {
+
+/// Of friction_coefficient fluidity.
+void declare_fluidity(OptionSet& o, FluidityParameters& fluidity, const std::string& absent) {
+  const bool used = absent.empty();
+  o.real("friction_fluidity_amplitude", fluidity.A, "-", non_negative(),
+         "nonlocal amplitude: fluidity spreads over A d/sqrt(|sin(friction_angle) - M|); 0: mu(I) in each cell for "
+         "itself. 0.48 are glass beads, Henann & Kamrin (2013)")
+      .symbol("A")
+      .used_if(used, absent);
+  o.real("friction_fluidity_slope", fluidity.b, "-", non_negative(),
+         "slope of M over the inertial number in uniform shear. 0.9377 are glass beads, Henann & Kamrin (2014)")
+      .symbol("b")
+      .used_if(used, absent);
+  o.real("friction_fluidity_time", fluidity.t_0, "s", positive(),
+         "t_0 of the balance of fluidity; Henann & Kamrin (2014) take 1e-4 to 1e-3 s")
+      .symbol("t_0")
+      .used_if(used, absent);
+  o.real("friction_fluidity_at_rest", fluidity.g_min, "1/s", positive(),
+         "fluidity of a bed that does not shear, which says how fast it creeps: the rate of shear over M")
+      .symbol("g_min")
+      .used_if(used, absent);
+  o.choice("friction_fluidity_rough_wall", fluidity.held_at_rough, {{"held", true}, {"free", false}},
+           "held: walls without slip hold the fluidity at friction_fluidity_wall, as grains that are glued to them do "
+           "(Kamrin & Henann 2015); free: none passes through them, as through all other sides")
+      .used_if(used, absent);
+  fluidity.at_rough = fluidity.g_min;
+  o.real("friction_fluidity_wall", fluidity.at_rough, "1/s", positive(), "fluidity at walls without slip")
+      .default_from("friction_fluidity_at_rest")
+      .used_if(used && fluidity.held_at_rough, used ? "friction_fluidity_rough_wall is free" : absent);
+}
+
+}  // namespace
+
 void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureModel temperature,
                       KineticParameters& kinetic) {
   o.group("friction");
@@ -33,22 +67,28 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
            {{"constant", FrictionCoefficient::constant},
             {"mu_i", FrictionCoefficient::mu_i},
             {"cidr", FrictionCoefficient::cidr},
-            {"mu_i_regularised", FrictionCoefficient::mu_i_regularised}},
+            {"mu_i_regularised", FrictionCoefficient::mu_i_regularised},
+            {"fluidity", FrictionCoefficient::fluidity}},
            "M of (14) and (20). constant: sin(friction_angle); mu_i: M(I) of Jop, Forterre & Pouliquen (2006) from "
            "sin(friction_angle) to friction_coefficient_limit, with the flow rule (13); cidr: with the flow rule that "
            "Barker et al. (2017) ask for, which is well-posed; mu_i_regularised: as mu_i, with the M of Barker & "
            "Gray (2017) in slow and fast flow. I has the strain rate of (20). mu_i and cidr are one under "
-           "critical_state")
+           "critical_state. fluidity: the rate of shear over a fluidity with a balance of its own, the nonlocal "
+           "friction of Henann & Kamrin (2013), where M of slow flow is sin(friction_angle) and not its tangent; in "
+           "two dimensions without gas, with friction_model relaxed")
       .symbol("M")
       .used_if(some, absent);
-  const bool inertial = some && friction.coefficient != FrictionCoefficient::constant;
-  const std::string no_inertia = some ? "friction_coefficient is constant" : absent;
+  if (!some) friction.coefficient = FrictionCoefficient::constant;  // no fluidity without friction
+  const bool inertial = some && has_inertial_coefficient(friction), nonlocal = some && has_fluidity(friction);
+  const std::string no_inertia =
+      some ? std::string("friction_coefficient is ") + (nonlocal ? "fluidity" : "constant") : absent;
   o.real("friction_coefficient_limit", friction.mu_2, "-", positive(), "M(I) of fast flow")
       .symbol("mu_2")
       .used_if(inertial, no_inertia);
   o.real("friction_inertial_number", friction.I_0, "-", positive(), "I at which M(I) is half way to its limit")
       .symbol("I_0")
       .used_if(inertial, no_inertia);
+  declare_fluidity(o, friction.fluidity, nonlocal ? "" : some ? "friction_coefficient is not fluidity" : absent);
   friction.n_dilation = std::sqrt(3.0) / (2 * std::sin(friction.phi));
   o.real("friction_exponent_dilation", friction.n_dilation, "-", greater_than_one(), "n of (14) where div v >= 0")
       .symbol("n")
@@ -76,9 +116,10 @@ void declare_friction(OptionSet& o, FrictionParameters& friction, TemperatureMod
          "solids fraction from which p_c acts, eq. (18)")
       .symbol("nu_min")
       .used_if(some, absent);
-  bool with_fluctuation = true;
+  bool with_fluctuation = !nonlocal;
   o.boolean("friction_strain_rate_fluctuation", with_fluctuation,
             "S:S + T/d^2 as in (20)-(22); no: S:S as in (15)-(17); friction_fluctuation 1 or 0 in words")
+      .default_from("yes, or no where friction_coefficient is fluidity")
       .used_if(some, absent);
   friction.fluctuation = with_fluctuation ? 1 : 0;
   o.real("friction_fluctuation", friction.fluctuation, "-", from_zero_to_one(),

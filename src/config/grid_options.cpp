@@ -104,7 +104,7 @@ std::vector<double> planes_of_axis(const GridInput& grid, int axis) {
 /// Before the faces are built: nodes and unknowns are to be numbers of PETSc, and each rank holds all faces of an axis.
 void check_size(const std::vector<double>& cells_by_axis) {
   constexpr double most_along_axis = 1e7;
-  constexpr int unknowns = 4 + 2 * max_dim;  // nu, T, chi, p_g, v, u
+  constexpr int unknowns = 4 + 2 * max_dim;  // nu, T, chi, p_g, v, u; g_f has no gas beside it
   constexpr double most = PETSC_MAX_INT / unknowns;
   double nodes = 1;
   for (std::size_t axis = 0; axis < cells_by_axis.size(); ++axis) {

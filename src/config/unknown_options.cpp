@@ -11,6 +11,8 @@ Range range_of(Allowed allowed, const Case& the_case) {
       return from_zero_below(the_case.kinetic.nu_max, "solids_fraction_max");
     case Allowed::non_negative:
       return non_negative();
+    case Allowed::positive:
+      return positive();
     default:
       return any_number();
   }
@@ -21,6 +23,7 @@ std::string absence(const Case& the_case, const Unknown& unknown) {
     return "granular_temperature is not transport";
   if (&unknown == &FrictionRelaxation::unknown && !the_case.friction.model->has_unknown)
     return "friction_model is not relaxed";
+  if (&unknown == &Fluidity::unknown && !has_fluidity(the_case.friction)) return "friction_coefficient is not fluidity";
   if (&unknown == &GasMomentum::unknown && the_case.gas.model != GasModel::incompressible)
     return "gas is not incompressible";
   return "";

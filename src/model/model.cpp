@@ -8,10 +8,15 @@ namespace scree {
 template <int dim, GasModel gas, class... Scalars>
 std::unique_ptr<Model> choose_model(const ModelSetup& setup);
 
+/// Two dimensions without gas; with relaxed friction.
+std::unique_ptr<Model> with_fluidity(const ModelSetup& setup);
+
 namespace {
 
 template <int dim>
 std::unique_ptr<Model> with_gas(const ModelSetup& setup) {
+  if constexpr (dim == 2)
+    if (has_fluidity(setup.solids.friction) && setup.solids.gas.model == GasModel::none) return with_fluidity(setup);
   switch (setup.solids.gas.model) {
     case GasModel::none:
       return choose_model<dim, GasModel::none>(setup);

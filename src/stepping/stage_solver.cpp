@@ -266,7 +266,8 @@ PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
   PetscCall(SNESGetSolution(newton_, &state));
   PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
   PetscCall(measure_remainder(problem_, stage_.shift, state, residual, &left));
-  *small = left.dilute <= NewtonTolerance::dilute(control_.local_tolerance()) && left.nu_change <= tolerated_residual() &&
+  *small = left.dilute <= NewtonTolerance::dilute(control_.local_tolerance()) &&
+           left.nu_change <= tolerated_residual() &&
            left.least_nu >= -share_of_floor * problem_.setup().model.solids_fraction_floor;
   PetscFunctionReturn(0);
 }

@@ -289,6 +289,46 @@ TEST(JacobianOfClosures, BlocksMatchDifferencesAtTheCriticalState) {
   }
 }
 
+/// The layouts that have a balance of fluidity.
+std::vector<Combination> with_fluidity() {
+  std::vector<Combination> chosen;
+  for (const TemperatureModel temperature : {TemperatureModel::transport, TemperatureModel::constant})
+    for (const AdvectionScheme advection : {AdvectionScheme::upwind, AdvectionScheme::van_albada})
+      chosen.push_back({2, FrictionModel::relaxed, temperature, advection, GasModel::none});
+  return chosen;
+}
+
+TEST(JacobianOfFluidity, BlocksMatchDifferences) {
+  for (const Combination& c : with_fluidity())
+    for (const NamedScene& scene : scenes_of_fluidity(sample_setup(c))) {
+      Evaluation problem(PETSC_COMM_WORLD, scene.setup);
+      for (const auto& [name, regime] : {std::pair("dense", Regime::dense), std::pair("dilute", Regime::dilute),
+                                         std::pair("surface", Regime::surface)}) {
+        SCOPED_TRACE(name_of(c) + ", " + scene.name + ", " + name);
+        check_blocks(problem, sample(problem, regime, 6), 30.0, 6);
+      }
+    }
+}
+
+/// Entry by entry, and nothing outside of the pattern.
+TEST(JacobianOfFluidity, EntriesMatchDifferences) {
+  for (const NamedScene& scene : scenes_of_fluidity(sample_setup(with_fluidity()[1]))) {
+    SCOPED_TRACE(scene.name);
+    Evaluation problem(PETSC_COMM_SELF, scene.setup);
+    check_entries(problem, sample(problem, Regime::dense, 8), 30.0);
+  }
+}
+
+TEST(JacobianOfFluidity, SameOnAnyNumberOfRanks) {
+  for (const NamedScene& scene : scenes_of_fluidity(sample_setup(with_fluidity()[1]))) {
+    SCOPED_TRACE(scene.name);
+    Evaluation problem(PETSC_COMM_WORLD, scene.setup), alone(PETSC_COMM_SELF, scene.setup);
+    const Sample s = sample(problem, Regime::dense, 4);
+    problem.assemble(s.state, s.rate, 30.0);
+    check_ranks(problem, alone, s, 30.0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Jacobian, testing::ValuesIn(combinations()),
                          [](const auto& instance) { return name_of(instance.param); });
 

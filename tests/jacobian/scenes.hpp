@@ -294,6 +294,23 @@ inline std::vector<NamedScene> mixed_scenes(const ProblemSetup& base) {
   return scenes;
 }
 
+/// Fluidity, held at walls without slip or free there.
+inline std::vector<NamedScene> scenes_of_fluidity(const ProblemSetup& base) {
+  std::vector<NamedScene> scenes;
+  for (const bool held : {true, false})
+    for (NamedScene& scene : mixed_scenes(base)) {
+      scene.name += held ? ", held at rough walls" : ", free at rough walls";
+      FrictionParameters& friction = scene.setup.solids.friction;
+      friction.coefficient = FrictionCoefficient::fluidity;
+      friction.fluidity.held_at_rough = held;
+      friction.fluidity.at_rough = 3;
+      friction.fluctuation = 0;
+      friction.flow_rule_floor = 1;
+      scenes.push_back(std::move(scene));
+    }
+  return scenes;
+}
+
 inline std::vector<NamedScene> all_scenes(const ProblemSetup& base) {
   std::vector<NamedScene> scenes;
   for (auto* make : {scenes_of_one_kind, scenes_of_mixed_kinds, periodic_scenes, scenes_of_options, scenes_of_gas})

@@ -14,6 +14,7 @@ COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0
 # Layout: case, options, end of a run with free steps [s], Krylov iterations a linear system there, at most.
 LAYOUTS = {
     "plane, none": ("small_bin.yaml", {}, 0.01, 8),
+    "plane, none, fluidity": ("small_bin.yaml", {"friction_coefficient": "fluidity"}, 0.01, 8),
     "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.01, 8),
     "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.01, 8),
     "space, none": ("../benchmark/bin_3d.yaml", COARSE_BOX, 0.01, 8),
@@ -26,7 +27,8 @@ CONDENSED = {"solver": "condensed"}
 def difference(a, b):
     """Greatest difference of the unknowns where there are particles, each relative to its greatest value."""
     there = a["solids_fraction"] > 1e-3
-    names = [name for name in ("solids_fraction", "velocity", "granular_temperature", "gas_pressure") if name in a]
+    names = [name for name in ("solids_fraction", "velocity", "granular_temperature", "gas_pressure", "fluidity")
+             if name in a]
     return max(np.abs((a[name] - b[name])[there]).max() / np.abs(a[name]).max() for name in names)
 
 

@@ -261,6 +261,7 @@ inline double random_value(const Field& field, const Index& I, Regime regime, in
   }
   if (field.symbol == "T") return 1e-4 * std::exp(1.5 * z);
   if (field.symbol == "chi") return 0.85 + 0.2 * z;
+  if (field.symbol == "g_f") return 5 * std::exp(1.5 * z);
   if (field.symbol == "p_g") return 8 * z;
   return (field.symbol == "u" ? 0.2 : 0.05) * z;
 }
@@ -268,7 +269,7 @@ inline double random_value(const Field& field, const Index& I, Regime regime, in
 /// By how much an unknown can vary, SI, until the residual shows curvature: for difference steps.
 inline double random_scale(const Field& field, double value) {
   if (field.symbol == "nu") return value > 0.5 ? 0.02 : value;
-  if (field.symbol == "T") return value;
+  if (field.symbol == "T" || field.symbol == "g_f") return value;
   if (field.symbol == "chi") return 0.01;
   if (field.symbol == "p_g") return 0.5;
   return field.symbol == "u" ? 0.012 : 3e-3;

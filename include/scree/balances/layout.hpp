@@ -3,6 +3,7 @@
 
 #include "scree/assembly/parameters.hpp"
 #include "scree/assembly/unknown_list.hpp"
+#include "scree/balances/fluidity.hpp"
 #include "scree/balances/friction_relaxation.hpp"
 #include "scree/balances/gas_continuity.hpp"
 #include "scree/balances/gas_momentum.hpp"
@@ -19,6 +20,7 @@ struct Named : List {
   static constexpr bool has_u = List::template has<GasMomentum>;      ///< otherwise u follows from p_g (darcy)
   static constexpr bool has_T = List::template has<GranularEnergy>;
   static constexpr bool has_chi = List::template has<FrictionRelaxation>;
+  static constexpr bool has_g_f = List::template has<Fluidity>;
 
   static constexpr int nu = List::template first<SolidsContinuity>();
   static constexpr int v(int axis) { return List::template first<SolidsMomentum>() + axis; }
@@ -26,6 +28,7 @@ struct Named : List {
   static constexpr int p = List::template first<GasContinuity>();
   static constexpr int T = List::template first<GranularEnergy>();
   static constexpr int chi = List::template first<FrictionRelaxation>();
+  static constexpr int g_f = List::template first<Fluidity>();
 
   static constexpr bool is_v(int component) { return List::template is<SolidsMomentum>(component); }
   static constexpr bool is_u(int component) { return List::template is<GasMomentum>(component); }
@@ -60,7 +63,7 @@ template <int dim, GasModel gas>
 struct CoreLayout : Named<CoreList<dim, gas>> {};
 
 /// The unknowns of a scene: those of the core, T if it is transported, chi if it relaxes, and scalars that are carried
-/// by the particles (kernels/carried_scalar.hpp).
+/// by the particles (kernels/carried_scalar.hpp), such as the fluidity.
 template <int dim, bool transports_T, bool relaxes_chi, GasModel gas, class... Scalars>
 struct Layout : Named<FullList<transports_T, relaxes_chi, CoreList<dim, gas>, Scalars...>> {
   using Core = CoreLayout<dim, gas>;

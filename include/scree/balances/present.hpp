@@ -1,4 +1,4 @@
-/// The unknowns of the paper's balances, and which of them a scene has.
+/// The unknowns of the balances, and which of them a scene has.
 #pragma once
 
 #include <array>
@@ -9,17 +9,18 @@
 namespace scree {
 
 /// All, in the order in which they stand in a node.
-inline constexpr std::array<const Unknown*, 6> standard_unknowns{
-    &SolidsContinuity::unknown, &SolidsMomentum::unknown, &GasMomentum::unknown,
-    &GasContinuity::unknown,    &GranularEnergy::unknown, &FrictionRelaxation::unknown};
+inline constexpr std::array<const Unknown*, 7> standard_unknowns{
+    &SolidsContinuity::unknown, &SolidsMomentum::unknown,     &GasMomentum::unknown, &GasContinuity::unknown,
+    &GranularEnergy::unknown,   &FrictionRelaxation::unknown, &Fluidity::unknown};
 
-/// Whether the balance of this unknown is solved; false for unknowns that are none of the paper's.
+/// Whether the balance of this unknown is solved; false for unknowns that are none of these.
 inline bool is_present(const Unknown& unknown, const ModelParameters& model, const SolidsParameters& solids) {
   if (&unknown == &SolidsContinuity::unknown || &unknown == &SolidsMomentum::unknown) return true;
   if (&unknown == &GasMomentum::unknown) return solids.gas.model == GasModel::incompressible;
   if (&unknown == &GasContinuity::unknown) return solids.gas.model != GasModel::none;
   if (&unknown == &GranularEnergy::unknown) return model.temperature == TemperatureModel::transport;
   if (&unknown == &FrictionRelaxation::unknown) return solids.friction.model->has_unknown;
+  if (&unknown == &Fluidity::unknown) return has_fluidity(solids.friction);
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "scree/closures/fluidity.hpp"
 #include "scree/closures/friction_pressure.hpp"
 #include "scree/math/dual.hpp"
 #include "scree/math/rounded.hpp"
@@ -32,8 +33,8 @@ std::vector<FrictionModel>& friction_models();
 
 /// M of the yield surface, sin(phi) in the paper. constant: sin(phi). mu_i: M(I) with the flow rule (13) as it is;
 /// cidr: with the one that belongs to it; mu_i_regularised: as mu_i, with another M at small and great I
-/// (inertial.hpp).
-enum class FrictionCoefficient { constant, mu_i, cidr, mu_i_regularised };
+/// (inertial.hpp). fluidity: the rate of shear over a fluidity that has a balance of its own (fluidity.hpp).
+enum class FrictionCoefficient { constant, mu_i, cidr, mu_i_regularised, fluidity };
 
 /// Parameters of the frictional closures (SI units).
 struct FrictionParameters {
@@ -43,8 +44,9 @@ struct FrictionParameters {
   double n_dilation = 1.8149628088422;  ///< exponent n where div v >= 0: sqrt(3)/(2 sin phi) [-]
   double n_compaction = 1.03;           ///< exponent n where div v < 0 [-]
   FrictionCoefficient coefficient = FrictionCoefficient::constant;
-  double mu_2 = 0.6435;             ///< M of fast flow; that of slow flow is sin(phi) [-]
-  double I_0 = 0.278;               ///< inertial number at which M is half way [-]
+  double mu_2 = 0.6435;  ///< M of fast flow; that of slow flow is sin(phi) [-]
+  double I_0 = 0.278;    ///< inertial number at which M is half way [-]
+  FluidityParameters fluidity;
   double rho_s = 2900.0;            ///< solids density, in the inertial number [kg/m3]
   double F = 0.05;                  ///< constant of (18) [Pa]
   double r = 2.0;                   ///< exponent of (18) [-]
@@ -58,6 +60,14 @@ struct FrictionParameters {
   double strain_rate_floor = 1e-4;  ///< regularisation of sqrt(S:S + c T/d^2 + floor^2) [1/s]
   double flow_rule_floor = 0;       ///< rate of shear below which the flow rule (21) asks less and less [1/s]
 };
+
+/// Whether friction has a fluidity: fluidity.hpp.
+inline bool has_fluidity(const FrictionParameters& p) { return p.coefficient == FrictionCoefficient::fluidity; }
+
+/// Whether M is a function of the inertial number: inertial.hpp.
+inline bool has_inertial_coefficient(const FrictionParameters& p) {
+  return p.coefficient != FrictionCoefficient::constant && !has_fluidity(p);
+}
 
 // Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
 inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < .024 there

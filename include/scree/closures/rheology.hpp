@@ -27,13 +27,14 @@ namespace scree {
 /// What a rheology depends on at a point.
 template <class Number>
 struct FrictionalPoint {
-  Number nu;     ///< solids fraction [-]
-  Number T;      ///< granular temperature, by whatever model [m2/s2]
-  Number chi;    ///< the transported variable, any constant where the rheology has none [-]
-  Number div_v;  ///< [1/s]
-  Number S_S;    ///< S:S of the three-dimensional deviator [1/s2]
-  Number p_c;    ///< critical_pressure; on an edge the mean over its cells [Pa]
-  Number gamma;  ///< fluctuating_strain_rate [1/s]
+  Number nu;        ///< solids fraction [-]
+  Number T;         ///< granular temperature, by whatever model [m2/s2]
+  Number chi;       ///< the transported variable, any constant where the rheology has none [-]
+  Number div_v;     ///< [1/s]
+  Number S_S;       ///< S:S of the three-dimensional deviator [1/s2]
+  Number p_c;       ///< critical_pressure; on an edge the mean over its cells [Pa]
+  Number gamma;     ///< fluctuating_strain_rate [1/s]
+  Number g_f{1.0};  ///< fluidity, where the friction coefficient is that; any positive constant elsewhere [1/s]
 };
 
 /// sigma_f = pressure I - 2 viscosity S.
@@ -65,15 +66,16 @@ struct SolidsParameters;  // stress.hpp
 template <class Number>
 using CellClosures = std::array<Number, CellClosure::count>;
 
-/// cell_closure of (nu, T, chi, div_v, S_S, slip_squared, p).
+/// cell_closure of (nu, T, chi, div_v, S_S, slip_squared, g_f, p).
 template <class Number>
 using CellClosureFunction = CellClosures<Number> (*)(const Number&, const Number&, const Number&, const Number&,
-                                                     const Number&, const Number&, const SolidsParameters&);
+                                                     const Number&, const Number&, const Number&,
+                                                     const SolidsParameters&);
 
-/// edge_closure of (nu, p_c, T, chi, div_v, S_S, slip_squared, p).
+/// edge_closure of (nu, p_c, T, chi, div_v, S_S, slip_squared, g_f, p).
 template <class Number>
 using EdgeClosureFunction = Number (*)(const Number&, const Number&, const Number&, const Number&, const Number&,
-                                       const Number&, const Number&, const SolidsParameters&);
+                                       const Number&, const Number&, const Number&, const SolidsParameters&);
 
 /// A rheology that a case can choose, with the closures compiled for it.
 struct Rheology {

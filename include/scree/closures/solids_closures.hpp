@@ -9,8 +9,9 @@ namespace scree {
 
 template <class Number>
 FrictionalPoint<Number> frictional_point(const Number& nu, const Number& p_c, const Number& T, const Number& chi,
-                                         const Number& div_v, const Number& S_S, const FrictionParameters& p) {
-  return {nu, T, chi, div_v, S_S, p_c, fluctuating_strain_rate(S_S, T, p)};
+                                         const Number& div_v, const Number& S_S, const Number& g_f,
+                                         const FrictionParameters& p) {
+  return {nu, T, chi, div_v, S_S, p_c, fluctuating_strain_rate(S_S, T, p), g_f};
 }
 
 // Arguments one by one: a SolidsPoint by reference would be built in memory, a quarter of the time without gas.
@@ -19,7 +20,7 @@ FrictionalPoint<Number> frictional_point(const Number& nu, const Number& p_c, co
 template <class R, class Number, std::size_t count, class Gas>
 CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu,
                                        const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                                       const Number& slip_squared, const SolidsParameters& p) {
+                                       const Number& slip_squared, const Number& g_f, const SolidsParameters& p) {
   constexpr bool has_gas = !std::is_same_v<Gas, NoGas>;
   const SolidsPoint<Number> q{nu, T, chi, div_v, S_S, slip_squared};
   const KineticParameters& k = p.kinetic;
@@ -38,7 +39,7 @@ CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const
   Number steady = 0.0;
   if constexpr (R::has_friction) {
     const FrictionalPoint<Number> at =
-        frictional_point(nu, critical_pressure(nu, p.friction), theta, chi, div_v, S_S, p.friction);
+        frictional_point(nu, critical_pressure(nu, p.friction), theta, chi, div_v, S_S, g_f, p.friction);
     sigma_f = R::stress(at, p.friction);
     steady = R::steady(at, p.friction);
   }
@@ -65,13 +66,13 @@ CellClosures<Number> cell_closure_with(const std::array<Number, count>& f, const
 template <class R, class Number, std::size_t count, class Gas>
 Number edge_closure_with(const std::array<Number, count>& f, const Gas& gas, const Number& nu, const Number& p_c,
                          const Number& T, const Number& chi, const Number& div_v, const Number& S_S,
-                         const Number& slip_squared, const SolidsParameters& p) {
+                         const Number& slip_squared, const Number& g_f, const SolidsParameters& p) {
   const SolidsPoint<Number> q{nu, T, chi, div_v, S_S, slip_squared};
   const KineticParameters& k = p.kinetic;
   const auto [theta, sqrt_T] = temperature(q, f, gas, p);
   const Number mu_k = (k.rho_s * k.d) * damped_shear_factor(nu, f, gas, sqrt_T, k) * sqrt_T;
   if constexpr (R::has_friction)
-    return mu_k + R::stress(frictional_point(nu, p_c, theta, chi, div_v, S_S, p.friction), p.friction).viscosity;
+    return mu_k + R::stress(frictional_point(nu, p_c, theta, chi, div_v, S_S, g_f, p.friction), p.friction).viscosity;
   else
     return mu_k;
 }
@@ -79,23 +80,25 @@ Number edge_closure_with(const std::array<Number, count>& f, const Gas& gas, con
 /// cell_closure of a rheology.
 template <class R, class Number>
 CellClosures<Number> cell_closure_by(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
-                                     const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
+                                     const Number& S_S, const Number& slip_squared, const Number& g_f,
+                                     const SolidsParameters& p) {
   if (p.gas.model == GasModel::none)
-    return cell_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, T, chi, div_v, S_S, slip_squared, p);
+    return cell_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, T, chi, div_v, S_S, slip_squared, g_f, p);
   const auto f = kinetic_factors<factors_with_gas>(nu, p.kinetic);
   const auto gas = gas_effect(nu, f, slip_squared, p.kinetic, p.gas);
-  return cell_closure_with<R>(f, gas, nu, T, chi, div_v, S_S, slip_squared, p);
+  return cell_closure_with<R>(f, gas, nu, T, chi, div_v, S_S, slip_squared, g_f, p);
 }
 
 /// edge_closure of a rheology.
 template <class R, class Number>
 Number edge_closure_by(const Number& nu, const Number& p_c, const Number& T, const Number& chi, const Number& div_v,
-                       const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
+                       const Number& S_S, const Number& slip_squared, const Number& g_f, const SolidsParameters& p) {
   if (p.gas.model == GasModel::none)
-    return edge_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, p_c, T, chi, div_v, S_S, slip_squared, p);
+    return edge_closure_with<R>(kinetic_factors(nu, p.kinetic), NoGas{}, nu, p_c, T, chi, div_v, S_S, slip_squared, g_f,
+                                p);
   const auto f = kinetic_factors<factors_with_gas>(nu, p.kinetic);
   const auto gas = gas_effect(nu, f, slip_squared, p.kinetic, p.gas);
-  return edge_closure_with<R>(f, gas, nu, p_c, T, chi, div_v, S_S, slip_squared, p);
+  return edge_closure_with<R>(f, gas, nu, p_c, T, chi, div_v, S_S, slip_squared, g_f, p);
 }
 
 /// The entry of a rheology.

@@ -27,23 +27,39 @@ struct SolidsPoint {
   Number div_v;              ///< [1/s]
   Number S_S;                ///< S:S of the three-dimensional deviator [1/s2]
   Number slip_squared{0.0};  ///< |u - v|^2, used if there is gas [m2/s2]
+  Number g_f{1.0};           ///< fluidity, used if the friction coefficient is that [1/s]
 };
 
-/// Everything a cell needs, indexed by CellClosure. `T`, `chi` and `slip_squared` are ignored (any constant) where the
-/// models do not take them from the balances. Number is double or Dual<3> ... Dual<6>; meant for `through`:
-///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S, slip_squared)
+/// Everything a cell needs, indexed by CellClosure. `T`, `chi`, `slip_squared` and `g_f` are ignored (any constant)
+/// where the models do not take them from the balances. Number is double or Dual<3> ... Dual<6>; meant for `through`:
+///     through([&](const auto&... z) { return cell_closure(z..., parameters); }, nu, T, chi, div_v, S_S, slip_squared,
+///             g_f)
+template <class Number>
+CellClosures<Number> cell_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
+                                  const Number& S_S, const Number& slip_squared, const Number& g_f,
+                                  const SolidsParameters& p) {
+  return std::get<CellClosureFunction<Number>>(p.friction.model->cell)(nu, T, chi, div_v, S_S, slip_squared, g_f, p);
+}
+/// The same without a fluidity.
 template <class Number>
 CellClosures<Number> cell_closure(const Number& nu, const Number& T, const Number& chi, const Number& div_v,
                                   const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
-  return std::get<CellClosureFunction<Number>>(p.friction.model->cell)(nu, T, chi, div_v, S_S, slip_squared, p);
+  return cell_closure(nu, T, chi, div_v, S_S, slip_squared, Number(1.0), p);
 }
 
 /// The viscosity of cell_closure alone, for shear stresses on edges, with p_c of (18) given [Pa s]. Number is double or
 /// Dual<4> ... Dual<7>.
 template <class Number>
 Number edge_closure(const Number& nu, const Number& p_c, const Number& T, const Number& chi, const Number& div_v,
+                    const Number& S_S, const Number& slip_squared, const Number& g_f, const SolidsParameters& p) {
+  return std::get<EdgeClosureFunction<Number>>(p.friction.model->edge)(nu, p_c, T, chi, div_v, S_S, slip_squared, g_f,
+                                                                       p);
+}
+/// The same without a fluidity.
+template <class Number>
+Number edge_closure(const Number& nu, const Number& p_c, const Number& T, const Number& chi, const Number& div_v,
                     const Number& S_S, const Number& slip_squared, const SolidsParameters& p) {
-  return std::get<EdgeClosureFunction<Number>>(p.friction.model->edge)(nu, p_c, T, chi, div_v, S_S, slip_squared, p);
+  return edge_closure(nu, p_c, T, chi, div_v, S_S, slip_squared, Number(1.0), p);
 }
 
 /// kappa such that (1.3) is q = -kappa grad T, with k* of (1.5) if there is gas [kg/(m s)]. For transported T.
@@ -53,7 +69,7 @@ Number face_conductivity(const Number& nu, const Number& T, const Number& slip_s
 
 template <class Number>
 CellClosures<Number> cell_closure(const SolidsPoint<Number>& q, const SolidsParameters& p) {
-  return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, q.slip_squared, p);
+  return cell_closure(q.nu, q.T, q.chi, q.div_v, q.S_S, q.slip_squared, q.g_f, p);
 }
 
 /// 1 in all but voids, 0 in them: share of the shear production that heats transported T. Half at nu = 1e-4, 1 - 1e-8

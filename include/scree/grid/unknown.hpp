@@ -38,7 +38,7 @@ struct NewtonContext {
 inline NewtonBounds unbounded(double, const NewtonContext&) { return {}; }
 
 /// The numbers that an option for an unknown accepts.
-enum class Allowed { any, non_negative, solids_fraction };
+enum class Allowed { any, non_negative, positive, solids_fraction };
 
 /// Whether and how a case gives values of an unknown; the key is the name of its dataset.
 struct GivenValue {

@@ -25,6 +25,7 @@ constexpr StencilBuilder cell_stencil() {
   s.add(L::nu, {});
   s.add(L::T, {});
   s.add(L::chi, {});
+  s.add(L::g_f, {});
   add_cell_strain_inputs<L>(s);
   add_cell_slip_inputs<L>(s);
   return s;
@@ -63,7 +64,7 @@ template <class L, class Q>
                 difference_at_face(scene, a, edge, q(L::v(b), at - unit(a)), q(L::v(b), at)));
 }
 
-/// T or chi among the inputs, or a constant where it is no unknown: `through` does not differentiate a double.
+/// T, chi or g_f among the inputs, or a constant where it is no unknown: `through` does not differentiate a double.
 template <class L, class Q>
 decltype(auto) temperature_input(const Q& q, const Index& at = {}) {
   if constexpr (L::has_T)
@@ -75,6 +76,13 @@ template <class L, class Q>
 decltype(auto) chi_input(const Q& q, const Index& at = {}) {
   if constexpr (L::has_chi)
     return q(L::chi, at);
+  else
+    return 1.0;
+}
+template <class L, class Q>
+decltype(auto) fluidity_input(const Q& q, const Index& at = {}) {
+  if constexpr (L::has_g_f)
+    return q(L::g_f, at);
   else
     return 1.0;
 }
@@ -142,12 +150,13 @@ auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
 template <class L, CellClosure::Entry... entries, class Q, class Strain>
 auto cell_closures(const Scene& scene, const Index& I, const Q& q, const Strain& strain) {
   return through(
-      [&](const auto& nu, const auto& T, const auto& chi, const auto& div_v, const auto& S_S,
-          const auto& slip_squared) {
-        const auto all = cell_closure(nu, T, chi, div_v, S_S, slip_squared, scene.solids);
+      [&](const auto& nu, const auto& T, const auto& chi, const auto& div_v, const auto& S_S, const auto& slip_squared,
+          const auto& g_f) {
+        const auto all = cell_closure(nu, T, chi, div_v, S_S, slip_squared, g_f, scene.solids);
         return std::array<std::decay_t<decltype(nu)>, sizeof...(entries)>{all[entries]...};
       },
-      q(L::nu), temperature_input<L>(q), chi_input<L>(q), strain.div_v, strain.S_S, cell_slip_squared<L>(scene, I, q));
+      q(L::nu), temperature_input<L>(q), chi_input<L>(q), strain.div_v, strain.S_S, cell_slip_squared<L>(scene, I, q),
+      fluidity_input<L>(q));
 }
 
 }  // namespace scree

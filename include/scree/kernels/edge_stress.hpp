@@ -22,6 +22,7 @@ struct EdgeStress {
       s.add(L::nu, cell);
       s.add(L::T, cell);
       s.add(L::chi, cell);
+      s.add(L::g_f, cell);
       for (int axis = 0; axis < L::dim; ++axis) {
         s.add(L::v(axis), cell);
         s.add(L::v(axis), cell + unit(axis));
@@ -63,13 +64,15 @@ struct EdgeStress {
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab, T);
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
+    const auto g_f = mean(scene, I, [&](const Index& cell) { return fluidity_input<L>(q, cell); });
     const auto slip_squared = edge_slip_squared<L>(
         scene, I, q, a, b, nu, [&](int axis, const Index& face) { return before_sides(scene, I, face, axis); });
     const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, I, q, cell); });
     const Number mu = through(
         [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
-            const auto& slip_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
-        nu, p_c, T, chi, div_v, S_S, slip_squared);
+            const auto& slip_,
+            const auto& g_f_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, g_f_, scene.solids); },
+        nu, p_c, T, chi, div_v, S_S, slip_squared, g_f);
     const Number sigma = SolidsMomentum::shear_stress(mu, D_ab);
 
     const bool near = scene.near;

@@ -54,7 +54,9 @@ struct FaceForces {
   /// nu at the face before the step that the rates are differences over; as it is where they are not.
   template <class Layout, class Q>
   static auto before_step(const Scene& scene, const Index& I, const Q& q) {
-    const auto before = [&](int component, const Index& at) { return q(component, at) - scene.step * q.dot(component, at); };
+    const auto before = [&](int component, const Index& at) {
+      return q(component, at) - scene.step * q.dot(component, at);
+    };
     return face_solids_fraction<Layout>(scene, I, before, axis, Index{});
   }
   /// How far the half cell beyond an open side is filled by what leaves with the speed `outflow`: 0 at rest, where

@@ -19,8 +19,8 @@ struct WallLaws {
   }
   static constexpr StencilBuilder stencil = make_stencil();
 
-  static constexpr int T_row = 2 * L::dim;
-  static constexpr int row_count = T_row + (L::has_T ? 1 : 0);
+  static constexpr int T_row = 2 * L::dim, g_f_row = T_row + (L::has_T ? 1 : 0);
+  static constexpr int row_count = g_f_row + (L::has_g_f ? 1 : 0);
   static constexpr std::array<Output, row_count> make_rows() {
     std::array<Output, row_count> rows{};
     for (int t = 0; t < L::dim; ++t) {
@@ -28,6 +28,7 @@ struct WallLaws {
       rows[2 * t + 1] = {L::v(t), unit(t)};
     }
     if (L::has_T) rows[T_row] = {L::T, Index{}};
+    if (L::has_g_f) rows[g_f_row] = {L::g_f, Index{}};
     return rows;
   }
   static constexpr std::array<Output, row_count> rows = make_rows();
@@ -203,6 +204,14 @@ struct WallLaws {
         q(L::nu), sqrt_T, kappa, k, N, mean_slip_squared);
   }
 
+  /// The mean fluidity between a wall without slip and the centre of the cell, or a constant.
+  template <class Q>
+  static auto fluidity_before_rough_wall(const Scene& scene, const Q& q) {
+    const FluidityParameters& p = scene.solids.friction.fluidity;
+    const auto in_cell = fluidity_input<L>(q);
+    return std::decay_t<decltype(in_cell)>(p.held_at_rough ? 0.5 * (in_cell + p.at_rough) : in_cell);
+  }
+
   /// The stress of particles that stick to the wall, with the viscosity that the shear between wall and cell leaves
   /// them: friction bounds it by p_f sin(phi), however fast they are drawn along.
   template <class Number, class Strain, std::size_t count>
@@ -213,15 +222,20 @@ struct WallLaws {
                            ? at_wall(scene, I, q, axis, end, critical_pressure(q(L::nu), friction))
                            : Number(0.0);
     const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
+    const double h = scene.distance_to_face(axis, I);
+    if constexpr (L::has_g_f)
+      if (friction.fluidity.held_at_rough)
+        r[g_f_row] -= out_of_cell(scene, axis, I, end, Fluidity::from_wall(scene, q(L::nu), q(L::g_f), h));
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
-        const double h = scene.distance_to_face(axis, I);
         const Number S_S = strain.normal_square() + 0.5 * slip_speed_squared<Number>(q, wall, axis, t, side) / (h * h);
         const Number mu = through(
             [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_,
-                const auto& S_S_,
-                const auto& slip_) { return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, scene.solids); },
-            q(L::nu), p_c, temperature_input<L>(q), chi_input<L>(q), strain.div_v, S_S, gas_slip_squared);
+                const auto& S_S_, const auto& slip_, const auto& g_f_) {
+              return edge_closure(nu_, p_c_, T_, chi_, div_v_, S_S_, slip_, g_f_, scene.solids);
+            },
+            q(L::nu), p_c, temperature_input<L>(q), chi_input<L>(q), strain.div_v, S_S, gas_slip_squared,
+            fluidity_before_rough_wall(scene, q));
         add_stress(scene, I, axis, end, t, side, Number(mu * wall_slip(q, wall, t, side) / h), r);
       }
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "scree/assembly/assembly.hpp"
@@ -94,7 +95,7 @@ class AssembledModel final : public Model {
 
   void begin_newton(TangentKind kind, double step) const override {
     step_ = step;
-    if (kind == TangentKind::exact || !setup_.solids.friction.model->has_friction) {
+    if (kind == TangentKind::exact || !setup_.solids.friction.model->has_friction || L::has_g_f) {
       tangent_.reset();
     } else if (tangent_) {
       tangent_->restart();
@@ -400,7 +401,7 @@ class AssembledModel final : public Model {
 
   ModelSetup setup_;
   mutable std::unique_ptr<NewtonTangent> tangent_;  ///< none: the exact one
-  mutable double step_ = 0;  ///< of backward Euler, 0 for other schemes [s]
+  mutable double step_ = 0;                         ///< of backward Euler, 0 for other schemes [s]
   Assembly assembly_;
   std::vector<Field> fields_;
 };
@@ -408,6 +409,8 @@ class AssembledModel final : public Model {
 /// Turns the run-time choices into the type of the model, with further scalars of the particles.
 template <int dim, GasModel gas, class... Scalars>
 [[gnu::cold]] std::unique_ptr<Model> choose_model(const ModelSetup& setup) {
+  if (has_fluidity(setup.solids.friction) && !(std::is_same_v<Scalars, Fluidity> || ...))
+    throw std::runtime_error("this model has no balance of fluidity: friction_coefficient has to be another one");
   const auto with = [&](auto T, auto chi, auto second_order) -> std::unique_ptr<Model> {
     return std::make_unique<AssembledModel<Layout<dim, T(), chi(), gas, Scalars...>, second_order()>>(setup);
   };

@@ -68,6 +68,17 @@ TEST(Layout, FurtherScalarsComeLast) {
   EXPECT_FALSE(fields[4].is<GranularEnergy>());
 }
 
+TEST(Layout, FluidityIsAbsentUnlessListed) {
+  using With = Layout<2, true, true, GasModel::none, Fluidity>;
+  EXPECT_TRUE(With::has_g_f);
+  EXPECT_EQ(With::g_f, 5);
+  EXPECT_EQ(With::count, 6);
+  using Without = Layout<2, true, true, GasModel::none>;
+  EXPECT_FALSE(Without::has_g_f);
+  EXPECT_EQ(Without::g_f, -1);
+  EXPECT_EQ(Without::count, 5);
+}
+
 TEST(Layout, FieldsAreThoseOfTheTraits) {
   const Scales scales{0.5, 0.05, 2000};
   const std::vector<Field> fields = Layout<2, true, true, GasModel::incompressible>::fields(scales);
@@ -95,6 +106,10 @@ TEST(Unknowns, PresentOnesAreThoseOfTheLayout) {
   model.temperature = TemperatureModel::algebraic;
   solids.friction.model = FrictionModel::critical_state;
   EXPECT_EQ(names(), "nu v p_g ");
+  solids.gas.model = GasModel::none;
+  solids.friction.model = FrictionModel::relaxed;
+  solids.friction.coefficient = FrictionCoefficient::fluidity;
+  EXPECT_EQ(names(), "nu v chi g_f ");
 }
 
 TEST(Unknowns, HaveNamesOfTheirOwn) {
@@ -113,6 +128,8 @@ TEST(Unknowns, BoundsOfNewtonsMethod) {
   EXPECT_DOUBLE_EQ(GranularEnergy::unknown.bounds(4, guess).lower, 2);
   EXPECT_DOUBLE_EQ(FrictionRelaxation::unknown.bounds(0.9, iterate).lower, 0.09);
   EXPECT_DOUBLE_EQ(FrictionRelaxation::unknown.bounds(0.9, iterate).upper, 1.1);
+  EXPECT_DOUBLE_EQ(Fluidity::unknown.bounds(20, iterate).lower, 2);
+  EXPECT_GT(Fluidity::unknown.bounds(20, iterate).upper, 1e300);
   EXPECT_LT(SolidsMomentum::unknown.bounds(0, iterate).lower, -1e300);
 }
 

@@ -35,6 +35,12 @@ TEST_F(ClosureOptions, EveryVariantCanBeChosen) {
     set(key, value);
     return read_case();
   };
+  const auto choose_without_gas = [&](const std::string& key, const std::string& value) {
+    clear();
+    small_bin();
+    set(key, value);
+    return read_case();
+  };
   for (const DragLaw* law : drag_laws()) {
     const Case scene = choose("drag_law", law->name);
     EXPECT_EQ(scene.gas.drag_law, law);
@@ -51,6 +57,10 @@ TEST_F(ClosureOptions, EveryVariantCanBeChosen) {
   EXPECT_EQ(choose("correlation_length", "none").kinetic.length, nullptr);
   EXPECT_EQ(choose("friction_coefficient", "mu_i").friction.coefficient, FrictionCoefficient::mu_i);
   EXPECT_EQ(choose("friction_coefficient", "cidr").friction.coefficient, FrictionCoefficient::cidr);
+  const Case nonlocal = choose_without_gas("friction_coefficient", "fluidity");
+  EXPECT_EQ(nonlocal.friction.coefficient, FrictionCoefficient::fluidity);
+  EXPECT_EQ(nonlocal.friction.fluctuation, 0);
+  EXPECT_EQ(nonlocal.friction.fluidity.at_rough, nonlocal.friction.fluidity.g_min);
   clear();
   small_bin();
   yaml("friction: {angle: 20.9 deg, coefficient: mu_i_regularised}");
@@ -66,7 +76,7 @@ TEST_F(ClosureOptions, WrongNamesListTheRightOnes) {
       {"friction_pressure", "power, schaeffer"},
       {"effective_restitution", "chialvo_sundaresan, jenkins_zhang"},
       {"correlation_length", "none, jenkins, berzi_vescovi"},
-      {"friction_coefficient", "constant, mu_i, cidr, mu_i_regularised"},
+      {"friction_coefficient", "constant, mu_i, cidr, mu_i_regularised, fluidity"},
       {"friction_model", "none, critical_state, instantaneous, relaxed"}};
   for (const auto& [key, names] : rows) {
     clear();
