@@ -318,4 +318,15 @@ inline std::vector<NamedScene> all_scenes(const ProblemSetup& base) {
   return scenes;
 }
 
+/// All scenes in one and two dimensions, and in three for the models with most terms. For the others in three
+/// dimensions those that hold each kind of boundary, on sides and on plates, and that with all axes periodic.
+inline std::vector<NamedScene> scenes_for(const Combination& c) {
+  const ProblemSetup base = sample_setup(c);
+  const bool largest = c.friction == FrictionModel::relaxed && c.temperature == TemperatureModel::transport;
+  if (c.dim < 3 || largest) return all_scenes(base);
+  std::vector<NamedScene> scenes = mixed_scenes(base);
+  scenes.push_back(periodic_scenes(base).back());
+  return scenes;
+}
+
 }  // namespace scree::test

@@ -9,21 +9,24 @@ import h5py
 import numpy as np
 from scree_program import Checks, Program
 
-#: Runs inside of ParaView: what a reader makes of a fields.xdmf at its last time.
+#: Runs inside of ParaView, which takes long to start: what each reader makes of each fields.xdmf at its last time.
 READ = """
 import json, sys
 from paraview import simple as pv
 from vtk.util.numpy_support import vtk_to_numpy
-reader = getattr(pv, sys.argv[1])(FileName=[sys.argv[2]])
-times = list(reader.TimestepValues)
-reader.UpdatePipeline(times[-1])
-data = reader.SMProxy.GetClientSideObject().GetOutputDataObject(0)
-cells = data.GetCellData()
-found = {"times": times,
-         "faces": [vtk_to_numpy(getattr(data, f"Get{axis}Coordinates")()).tolist() for axis in "XYZ"],
-         "cells": {cells.GetArrayName(k): vtk_to_numpy(cells.GetArray(k)).tolist() for k in range(cells.GetNumberOfArrays())}}
+def read(kind, file):
+    reader = getattr(pv, kind)(FileName=[file])
+    times = list(reader.TimestepValues)
+    reader.UpdatePipeline(times[-1])
+    data = reader.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    cells = data.GetCellData()
+    return {"times": times,
+            "faces": [vtk_to_numpy(getattr(data, f"Get{axis}Coordinates")()).tolist() for axis in "XYZ"],
+            "cells": {cells.GetArrayName(k): vtk_to_numpy(cells.GetArray(k)).tolist() for k in range(cells.GetNumberOfArrays())}}
+found = [[read(kind, file) for kind in json.loads(sys.argv[1])] for file in json.loads(sys.argv[2])]
 open(sys.argv[3], "w").write(json.dumps(found))
 """
+READERS = "Xdmf3ReaderS", "Xdmf3ReaderT"
 SCENE = {"end_time": 0.004, "output_interval": 0.002, "time_step_max": 1e-3, "gas": "incompressible"}
 SIDES = {f"boundary_{axis}{side}_{key}": value for axis in "xyz" for side in ("lower", "upper")
          for key, value in (("side", f"{axis}_{side}"), ("kind", "wall_free_slip"))}
@@ -49,22 +52,24 @@ if not pvpython:
     sys.exit(0)
 script = program.work / "read.py"
 script.write_text(READ)
+runs = []
 for dimension in (1, 2, 3):
     case_file = program.work / f"{dimension}d.yaml"
     case_file.write_text(json.dumps(scene(dimension)))  # which is YAML
-    run = program.run(case_file, f"{dimension}d")
+    runs.append(program.run(case_file, f"{dimension}d"))
+found = program.work / "found.json"
+files = [str(run.directory / "fields.xdmf") for run in runs]
+subprocess.run([pvpython, str(script), json.dumps(READERS), json.dumps(files), str(found)], check=True,
+               stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
+for dimension, run, by_reader in zip((1, 2, 3), runs, json.loads(found.read_text())):
     last = sorted((run.directory / "fields").glob("*.h5"))[-1]
     with h5py.File(last) as file:
         faces = [np.asarray(file[f"{axis}_faces"]) for axis in "xyz"[:dimension]]
         shape = tuple(len(axis) - 1 for axis in faces[::-1])
         ours = {name: np.asarray(data) for name, data in file.items() if data.shape in (shape, (*shape, 3))}
         end = file.attrs["time"]
-    for reader in ("Xdmf3ReaderS", "Xdmf3ReaderT"):
-        case, found = f"{dimension}-D, {reader}", run.directory / "found.json"
-        words = [pvpython, str(script), reader, str(run.directory / "fields.xdmf"), str(found)]
-        subprocess.run(words, check=True, stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
-        theirs = json.loads(found.read_text())
-        found.unlink()
+    for reader, theirs in zip(READERS, by_reader):
+        case = f"{dimension}-D, {reader}"
         checks.equal(f"{case}: number of times", len(theirs["times"]), 3)
         checks.close(f"{case}: last time", theirs["times"][-1], end)
         for axis, expected in enumerate(faces):

@@ -10,8 +10,8 @@ from scree_program import Checks, Program
 SHARED_MEMORY = Path("/dev/shm")
 LOCKED = bytes(32)  # a semaphore of glibc whose value is 0
 # Numbers of files that other tests do not have: what lies there could hold up theirs, should the program be at fault.
-OPTIONS = {"time_step_adaptive": "no", "time_step_initial": 1.25e-5, "end_time": 733 * 1.25e-5, "output_interval": 1}
-FILES = ["00000733.h5", "00000733.h5.part", "00000741.h5.part"]
+OPTIONS = {"time_step_adaptive": "no", "time_step_initial": 1.25e-5, "end_time": 233 * 1.25e-5, "output_interval": 1}
+FILES = ["00000233.h5", "00000233.h5.part", "00000241.h5.part"]
 
 
 def run(name, more):
@@ -21,7 +21,7 @@ def run(name, more):
 program, checks = Program(), Checks("what killed runs leave on the machine", "R1")
 if not SHARED_MEMORY.is_dir():
     sys.exit(f"{SHARED_MEMORY} is missing: this test is for Linux")
-longer = {"end_time": 741 * 1.25e-5}
+longer = {"end_time": 241 * 1.25e-5}
 first = run("first", {})
 undisturbed = run("undisturbed", {**longer, "restart": first.directory})
 semaphores = [SHARED_MEMORY / f"sem.OMPIO_{name}" for name in FILES]

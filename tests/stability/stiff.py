@@ -24,8 +24,8 @@ def newton(run):
 program, checks = Program(), Checks("p_c a thousand times stiffer, s = 8, and packed to nu_max", "H3")
 UNIFORM = {"initial_fill_profile": "uniform", "initial_fill_solids_fraction": 0.6, "end_time": 0.04}
 for start, options, materials in (
-        ("at rest, dt 0.2 ms", {"time_step_initial": 2e-4, "end_time": 0.03}, MATERIALS),
-        ("at rest, dt 1 ms", {}, MATERIALS),
+        ("at rest, dt 0.2 ms", {"time_step_initial": 2e-4, "end_time": 0.015}, MATERIALS),
+        ("at rest, dt 1 ms", {"end_time": 0.04}, MATERIALS),
         ("nu = 0.6, dt 0.2 ms", {**UNIFORM, "time_step_initial": 2e-4}, ["p_c of Table 2", "F x 1000", "s = 8"])):
     soft = None
     for material in materials:

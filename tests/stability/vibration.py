@@ -2,7 +2,7 @@
 force is p_c of the lowest cell: impulse is conserved over a throw and a landing, and in flight the centre of mass falls
 freely, to the first order of the scheme in the step and the cell. Then the whole model, two periods."""
 import numpy as np
-from scree_program import EXACT, Checks, Program
+from scree_program import COLUMN, EXACT, Checks, Program
 
 RHO_S, RHO_G, G, A, F, NU_MIN, NU_MAX = 2900.0, 1.3, 9.81, 1.193e-3, 0.05, 0.5, 0.65
 OMEGA = 2 * np.pi * 25
@@ -41,7 +41,7 @@ for gas in (False, True):
     errors, flights, landings = [], [], []
     for cells, dt in GRIDS:
         name = f"{'gas' if gas else 'vacuum'}, {cells} cells, dt {1e6 * dt:g} us"
-        options = {**EXACT, "snes_rtol": 1e-8, "snes_atol": 1e-8, **P_C_ALONE, "gas": "incompressible" if gas else "none",
+        options = {**EXACT, **COLUMN, "snes_rtol": 1e-8, "snes_atol": 1e-8, **P_C_ALONE, "gas": "incompressible" if gas else "none",
                    "grid_cells": cells, "probe_floor_point": 0.05 / cells, "time_step_initial": dt, "output_interval": 1e-3,
                    "end_time": 0.048}
         run = program.run("vibration.yaml", f"{'gas' if gas else 'vacuum'}_{dt:g}", options)
@@ -79,7 +79,7 @@ for gas in (False, True):
         checks.order("vacuum: acceleration of the centre of mass in flight over g, less 1", flights, 1, 3e-2)
     checks.below(f"{kind}: landing time, change to the last grid over the one before", abs(landings[2] - landings[1])
                  / abs(landings[1] - landings[0]), 1)
-    whole = program.run("vibration.yaml", f"whole_{kind}", {"solver": "direct", "gas": options["gas"]})
+    whole = program.run("vibration.yaml", f"whole_{kind}", {"solver": "direct", **COLUMN, "gas": options["gas"]})
     checks.below(f"{kind}, whole model: mass error", np.abs(whole.monitor["mass_error"]).max(), 1e-12)
     checks.equal(f"{kind}, whole model: cut steps", whole.monitor["rejected_solver"].sum(), 0)
     if gas:

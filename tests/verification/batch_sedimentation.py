@@ -2,7 +2,7 @@
 import numpy as np
 from gas_relations import BUOYANT, check_balances, critical_pressure
 from scipy.optimize import brentq
-from scree_program import DIRECT, EXACT, Checks, Program, centres
+from scree_program import COLUMN, DIRECT, EXACT, Checks, Program, centres
 
 TERMINAL = BUOYANT * 1e-8 / (18 * 0.1)  # [m/s]
 LENGTH, CELLS = 0.1, 200
@@ -29,7 +29,7 @@ checks.close("reference nu above which fans replace shocks", 2 / 5.65, .354, abs
 for nu0, gas in ((.2, "incompressible"), (.2, "darcy"), (.4, "incompressible")):
     name = f"nu {nu0}, {gas}"
     end = 800 if nu0 == .2 else 1200
-    options = {**EXACT, "gas": gas, "initial_everywhere_solids_fraction": nu0, "end_time": end,
+    options = {**EXACT, **COLUMN, "gas": gas, "initial_everywhere_solids_fraction": nu0, "end_time": end,
                "output_interval": end / 4, "solids_fraction_floor": 1e-9}
     run = program.run("batch_sedimentation.yaml", f"{gas}_{nu0}", options)
     states = run.all_fields()[1:]
@@ -48,7 +48,7 @@ for nu0, gas in ((.2, "incompressible"), (.2, "darcy"), (.4, "incompressible")):
 # A dense layer above clear gas: the particles rain from it in a fan, nu falls with depth as slope(nu) = depth/time.
 DENSE, UNDER, END = .45, .05, 300
 thin = touching(DENSE)
-options = {"solver": "direct", "accuracy": 1e-3, "advection": "van_albada",
+options = {"solver": "direct", **COLUMN, "accuracy": 1e-3, "advection": "van_albada",
            "initial_everywhere_solids_fraction": 0, "initial_layer_order": 1, "initial_layer_box": f"{UNDER}, {LENGTH}",
            "initial_layer_solids_fraction": DENSE, "end_time": END}
 fall = np.linspace(0, thin, 2001)  # nu from the front of the fan to its shock
@@ -73,7 +73,7 @@ check_balances(checks, f"below a layer of nu {DENSE}", run)
 
 # The sediment packs until p_c carries it all, by the weight of rho_s - rho_g.
 for gas in ("darcy",):  # incompressible may take 1e5 steps to the same end: the step sticks at .1 s
-    options = {**DIRECT, "gas": gas, "initial_everywhere_solids_fraction": .3, "grid_cells": 100, "gas_viscosity": 1e-3,
+    options = {**DIRECT, **COLUMN, "gas": gas, "initial_everywhere_solids_fraction": .3, "grid_cells": 100, "gas_viscosity": 1e-3,
                "time_step_adaptive": "yes", "time_step_initial": 1e-3, "time_step_max": 100, "end_time": 1e4,
                "output_interval": 0}
     run = program.run("batch_sedimentation.yaml", f"sediment_{gas}", options, timeout=240)

@@ -1,7 +1,7 @@
 """T15, compaction shock: solids fraction behind it and its speed. The balance of momentum keeps momentum whatever share of a
 cell the shock passes in a step, so that the Courant number of the shock does not matter."""
 import numpy as np
-from scree_program import EXACT, Checks, Program, centres
+from scree_program import COLUMN, EXACT, Checks, Program, centres
 
 CASES = [(1.0, 0.5, .612006, 4.4640), (1.0, 0.3, .600686, .9977), (5.0, 0.5, .628447, 19.463)]  # V, nu1, nu2, U_s [m/s]
 LENGTH, CELLS = 0.12, 60
@@ -17,7 +17,7 @@ def front(fields, middle):
 def shock(program, V, nu1, nu2, U, cells, courant):
     """{nu behind the shock, its speed, greatest nu ever, mass error}"""
     end = 0.08 / U
-    options = {**EXACT, "snes_atol": 1e-9, "grid_cells": cells, "time_step_initial": courant * LENGTH / cells / U,
+    options = {**EXACT, **COLUMN, "snes_atol": 1e-9, "grid_cells": cells, "time_step_initial": courant * LENGTH / cells / U,
                "end_time": end, "output_interval": end / 4, "boundary_inlet_velocity": -V,
                "boundary_inlet_solids_fraction": nu1, "initial_everywhere_solids_fraction": nu1,
                "initial_everywhere_velocity": -V}

@@ -33,7 +33,7 @@ uniform = brentq(lambda nu: fluidising_flow(nu, D) - .22, .5, .6)
 checks.close("reference nu at U 22 cm/s", uniform, .551452, absolute=1e-6)
 
 # Particles held fast, at these flows: the gas carries them.
-for nu, d, U in TABLE if program.ranks == 1 else ():
+for nu, d, U in TABLE:
     options = {**DIRECT, "particle_diameter": d, "initial_everywhere_solids_fraction": nu,
                "boundary_floor_gas_velocity": fluidising_flow(nu, d)}
     run = program.run("fixed_bed.yaml", f"held_{nu}_{d}", options)
@@ -43,7 +43,7 @@ for nu, d, U in TABLE if program.ranks == 1 else ():
 
 FLOWS = ((0.22, "incompressible"), (0.22, "darcy"))
 FURTHER_FLOWS = ((0.10, "incompressible"), (0.14, "incompressible"), (0.20, "incompressible"))
-for U, gas in FLOWS + (FURTHER_FLOWS if program.ranks == 1 else ()):
+for U, gas in FLOWS + FURTHER_FLOWS:
     name = f"U {U * 100:g} cm/s, {gas}"
     run = program.run("fluidised_bed.yaml", f"{gas}_{U}", {**DIRECT, "gas": gas, "boundary_floor_gas_velocity": U})
     last, dx = run.fields, 1e-3

@@ -1,6 +1,6 @@
 """T14, free fall: the steady jet below an inlet, with both schemes of advection and their orders; a falling slab."""
 import numpy as np
-from scree_program import DIRECT, EXACT, Checks, Program, centres, norm
+from scree_program import COLUMN, DIRECT, EXACT, Checks, Program, centres, norm
 
 V0, NU0, G = 0.6, 0.52, 9.81
 TABLE = {0.5: .460972, 1: .418349, 2: .359692, 5: .269426}  # h [cm]: nu
@@ -19,7 +19,7 @@ for h, nu in TABLE.items():
 for scheme, order, bound in (("upwind", 1, 1e-3), ("van_albada", 2, 1e-4)):
     errors = {"nu": [], "v": []}
     for cells in (60, 120, 240):
-        last = program.run("falling_jet.yaml", f"{scheme}_{cells}", {**EXACT, "advection": scheme, "grid_cells": cells}).fields
+        last = program.run("falling_jet.yaml", f"{scheme}_{cells}", {**EXACT, **COLUMN, "advection": scheme, "grid_cells": cells}).fields
         h, h_face = 0.06 - centres(last["x_faces"]), 0.06 - last["x_faces"]
         nu, v = last["solids_fraction"], -last["velocity_x_face"]
         margin = cells // 6 if scheme == "van_albada" else 0
@@ -34,7 +34,7 @@ for scheme, order, bound in (("upwind", 1, 1e-3), ("van_albada", 2, 1e-4)):
         checks.close(f"{scheme}: nu at {place} cm, 240 cells", found, exact, absolute=1.5e-3)
 
 for scheme in ("upwind", "van_albada"):
-    run = program.run("falling_slab.yaml", f"slab_{scheme}", {**DIRECT, "advection": scheme})
+    run = program.run("falling_slab.yaml", f"slab_{scheme}", {**DIRECT, **COLUMN, "advection": scheme})
     last, first = run.fields, run.first_fields
     x, nu, t = centres(last["x_faces"]), last["solids_fraction"], last["time"]
     fall = np.sum(x * first["solids_fraction"]) / np.sum(first["solids_fraction"]) - np.sum(x * nu) / np.sum(nu)

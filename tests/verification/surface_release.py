@@ -3,7 +3,7 @@ starts in equilibrium does not."""
 import numpy as np
 from closures import NU_MAX, NU_MIN, RHO_S, critical_pressure
 from scipy.integrate import quad
-from scree_program import DIRECT, EXACT, Checks, Program, centres
+from scree_program import COLUMN, DIRECT, EXACT, Checks, Program, centres
 
 START, SURFACE, LENGTH, END = 0.6, 0.1, 0.12, 0.01
 CELLS = (120, 240, 480)
@@ -37,7 +37,7 @@ for scheme in ("upwind", "van_albada"):
     for cells in CELLS:
         dx = LENGTH / cells
         steps = int(np.ceil(END * wave_speed(START) / dx))  # the fastest wave passes a cell a step
-        options = {**EXACT, "advection": scheme, "grid_cells": cells, "time_step_initial": END / steps, "end_time": END}
+        options = {**EXACT, **COLUMN, "advection": scheme, "grid_cells": cells, "time_step_initial": END / steps, "end_time": END}
         run = program.run("surface_release.yaml", f"{scheme}_{cells}", options)
         last = run.fields
         place, face = (centres(last["x_faces"]) - SURFACE) / END, (last["x_faces"] - SURFACE) / END
@@ -64,7 +64,7 @@ for scheme in ("upwind", "van_albada"):
 
 # Under gravity: thrown off from the uniform start, as the paper's bin is; nothing moves from equilibrium.
 for profile in ("uniform", "equilibrium"):
-    options = {**DIRECT, "gravity": -9.81, "initial_fill_profile": profile, "initial_fill_surface": "10 cm",
+    options = {**DIRECT, **COLUMN, "gravity": -9.81, "initial_fill_profile": profile, "initial_fill_surface": "10 cm",
                "time_step_initial": 2e-5, "end_time": 2e-3, "solids_fraction_floor": 1e-5}
     if profile == "uniform":
         del options["initial_fill_surface"]

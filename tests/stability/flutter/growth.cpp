@@ -7,7 +7,7 @@
 /// `-given`: nu, T [m2/s2], v_x, v_y [m/s], dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy [1/s], cell sizes [m] of the only base
 /// state instead of the four built in.
 #include <cstdio>
-#include <functional>
+#include <utility>
 
 #include "symbol.hpp"
 
@@ -48,15 +48,30 @@ class LaggedWaves {
         slow_(setup_of(FrictionModel::relaxed, 2 * tau_, scheme), base),
         fast_(setup_of(FrictionModel::relaxed, tau_, scheme), base) {}
 
-  /// Greatest factor by which a wave of this phase grows in a step; tau = 0: `instantaneous`.
-  double factor(const Wave& kh, double tau, double dt) const {
-    Matrix after = step_.state_part(kh), before = step_.rate_part(kh);
+  /// What of a wave does not depend on step and tau.
+  struct Parts {
+    Matrix state, rate;
+    std::vector<Complex> towards;  ///< chi* - chi in terms of each unknown
+  };
+  Parts parts(const Wave& kh) const {
+    Parts result{step_.state_part(kh), step_.rate_part(kh), {}};
+    const int n = result.state.size, chi = step_.chi();
+    // What two times of relaxation tell from the rest of the row of chi.
+    const Matrix fast = fast_.state_part(kh), slow = slow_.state_part(kh), rate = fast_.rate_part(kh);
+    for (int j = 0; j < n; ++j)
+      result.towards.push_back(-(fast(chi, j) - slow(chi, j)) / (rate(chi, chi) * (0.5 / tau_)));
+    return result;
+  }
+
+  /// Greatest factor by which the wave grows in a step; tau = 0: `instantaneous`.
+  double factor(const Parts& wave, double tau, double dt) const {
+    Matrix after = wave.state, before = wave.rate;
     for (std::size_t k = 0; k < after.entry.size(); ++k) {
       before.entry[k] /= dt;
       after.entry[k] += before.entry[k];
     }
     double most = 0;
-    for (const Complex& z : eigenvalues(with_new_chi(before, kh, dt / (dt + tau)), after))
+    for (const Complex& z : eigenvalues(with_new_chi(before, wave, dt / (dt + tau)), after))
       most = std::max(most, std::abs(z));
     return most;
   }
@@ -68,16 +83,12 @@ class LaggedWaves {
     return setup;
   }
 
-  /// before * P, where P replaces chi by chi + share (chi* - chi). chi* - chi is what two times of relaxation tell from
-  /// the rest of the row of chi.
-  Matrix with_new_chi(const Matrix& before, const Wave& kh, double share) const {
+  /// before * P, where P replaces chi by chi + share (chi* - chi).
+  Matrix with_new_chi(const Matrix& before, const Parts& wave, double share) const {
     const int n = before.size, chi = step_.chi();
-    const Matrix fast = fast_.state_part(kh), slow = slow_.state_part(kh), rate = fast_.rate_part(kh);
     Matrix result = before;
-    for (int j = 0; j < n; ++j) {
-      const Complex towards = -(fast(chi, j) - slow(chi, j)) / (rate(chi, chi) * (0.5 / tau_));
-      for (int i = 0; i < n; ++i) result(i, j) += before(i, chi) * share * towards;
-    }
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) result(i, j) += before(i, chi) * share * wave.towards[static_cast<std::size_t>(j)];
     return result;
   }
 
@@ -97,16 +108,17 @@ std::vector<BaseState> built_in() {
           {"orifice", .56, 4e-3, {-.05, -.4}, {{{-14, 10}, {8, 20}}}, h}};
 }
 
-/// The greatest value over all directions of a wave whose phase along one axis is kh, and along the other at most that:
-/// pi reaches the corner, where neighbours along both axes alternate.
-double greatest_over_directions(double kh, const std::function<double(const Wave&)>& value) {
+/// All directions of a wave whose phase along one axis is kh, and along the other at most that: pi reaches the corner,
+/// where neighbours along both axes alternate. A wave and the one of opposite phase along both axes are conjugates.
+std::vector<Wave> directions(double kh) {
   constexpr int parts = 4;
-  double greatest = -1e300;
+  std::vector<Wave> waves;
   for (int k = -parts; k <= parts; ++k) {
     const double other = kh * k / parts;
-    greatest = std::max({greatest, value({kh, other}), value({other, kh})});
+    waves.push_back({kh, other});
+    if (std::abs(k) < parts) waves.push_back({other, kh});
   }
-  return greatest;
+  return waves;
 }
 
 void rates_of(std::FILE* file, const BaseState& base) {
@@ -124,26 +136,32 @@ void rates_of(std::FILE* file, const BaseState& base) {
   for (const Treatment& t : treatments)
     for (const AdvectionScheme scheme : schemes) {
       const Waves waves(t.model, t.tau, scheme, base);
-      for (const double kh : {.05, .1, .2, .4, .7, 1., 1.5, 2., 2.5, pi})
+      for (const double kh : {.05, .1, .2, .4, .7, 1., 1.5, 2., 2.5, pi}) {
+        double greatest = -1e300;
+        for (const Wave& wave : directions(kh)) greatest = std::max(greatest, waves.rate(wave));
         std::fprintf(file, "%s,%g,%s,%g,%s,%g,%.6g\n", base.name.c_str(), base.cell[0], t.name, t.tau, name_of(scheme),
-                     kh, greatest_over_directions(kh, [&](const Wave& wave) { return waves.rate(wave); }));
+                     kh, greatest);
+      }
     }
 }
 
 void steps_of(std::FILE* file, const BaseState& base) {
-  const auto write = [&](AdvectionScheme scheme, const LaggedWaves& waves, double tau, double dt) {
-    double most = 0, at = 0;
-    for (const double kh : {pi / 8, pi / 4, pi / 2, pi}) {
-      const double factor = greatest_over_directions(kh, [&](const Wave& wave) { return waves.factor(wave, tau, dt); });
-      if (factor > most) most = factor, at = kh;
-    }
-    std::fprintf(file, "%s,%g,%s,%g,%g,%.6g,%g\n", base.name.c_str(), base.cell[0], name_of(scheme), tau, dt, most, at);
-  };
   for (const AdvectionScheme scheme : schemes) {
     const LaggedWaves waves(scheme, base);
+    std::vector<std::pair<double, LaggedWaves::Parts>> parts;
+    for (const double kh : {pi / 8, pi / 4, pi / 2, pi})
+      for (const Wave& wave : directions(kh)) parts.emplace_back(kh, waves.parts(wave));
     for (const double tau : {0., 1e-4, 1e-3, 1e-2, 1e-1})
-      for (int half_decade = 0; half_decade <= 10; ++half_decade)
-        write(scheme, waves, tau, 1e-7 * std::pow(10, 0.5 * half_decade));
+      for (int half_decade = 0; half_decade <= 10; ++half_decade) {
+        const double dt = 1e-7 * std::pow(10, 0.5 * half_decade);
+        double most = 0, at = 0;
+        for (const auto& [kh, wave] : parts) {
+          const double factor = waves.factor(wave, tau, dt);
+          if (factor > most) most = factor, at = kh;
+        }
+        std::fprintf(file, "%s,%g,%s,%g,%g,%.6g,%g\n", base.name.c_str(), base.cell[0], name_of(scheme), tau, dt, most,
+                     at);
+      }
   }
 }
 

@@ -1,6 +1,6 @@
 #include "symbol.hpp"
 
-#include <petscksp.h>
+#include <petscblaslapack.h>
 
 namespace scree::test {
 
@@ -103,31 +103,22 @@ Matrix quotient(Matrix B, Matrix A) {
 std::vector<Complex> eigenvalues(const Matrix& A, const Matrix& B) {
   const Matrix C = quotient(B, A);
   const int n = C.size, lead = 2 * n;
-  Mat system;  // [Re -Im; Im Re]: each eigenvalue and its conjugate
-  check(MatCreateSeqDense(PETSC_COMM_SELF, lead, lead, nullptr, &system));
-  double* real;
-  check(MatDenseGetArray(system, &real));
+  // [Re -Im; Im Re]: each eigenvalue and its conjugate
+  std::vector<double> system(static_cast<std::size_t>(lead * lead));
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
-      real[i + j * lead] = real[n + i + (n + j) * lead] = C(i, j).real();
-      real[n + i + j * lead] = C(i, j).imag();
-      real[i + (n + j) * lead] = -C(i, j).imag();
+      system[i + j * lead] = system[n + i + (n + j) * lead] = C(i, j).real();
+      system[n + i + j * lead] = C(i, j).imag();
+      system[i + (n + j) * lead] = -C(i, j).imag();
     }
-  check(MatDenseRestoreArray(system, &real));
-  check(MatAssemblyBegin(system, MAT_FINAL_ASSEMBLY));
-  check(MatAssemblyEnd(system, MAT_FINAL_ASSEMBLY));
-  KSP solver;  // its operator without a preconditioner is the matrix
-  PC none;
-  check(KSPCreate(PETSC_COMM_SELF, &solver));
-  check(KSPSetOperators(solver, system, system));
-  check(KSPSetType(solver, KSPGMRES));
-  check(KSPGetPC(solver, &none));
-  check(PCSetType(none, PCNONE));
-  check(KSPSetUp(solver));
-  std::vector<double> real_parts(static_cast<std::size_t>(lead)), imaginary_parts(real_parts);
-  check(KSPComputeEigenvaluesExplicitly(solver, lead, real_parts.data(), imaginary_parts.data()));
-  check(KSPDestroy(&solver));
-  check(MatDestroy(&system));
+  std::vector<double> real_parts(static_cast<std::size_t>(lead)), imaginary_parts(real_parts),
+      work(8 * real_parts.size());
+  const PetscBLASInt order = lead, one = 1, room = static_cast<PetscBLASInt>(work.size());
+  PetscBLASInt failed = 0;
+  double unused = 0;
+  LAPACKgeev_("N", "N", &order, system.data(), &order, real_parts.data(), imaginary_parts.data(), &unused, &one,
+              &unused, &one, work.data(), &room, &failed);
+  if (failed) throw std::runtime_error("the eigenvalues of a symbol do not converge");
   std::vector<Complex> values;
   for (std::size_t k = 0; k < real_parts.size(); ++k) values.emplace_back(real_parts[k], imaginary_parts[k]);
   return values;
