@@ -3,11 +3,12 @@
     scripts/why_c.py [--work out/why_c] [--jobs N] [--only NAME,...] [--dry-run]
 
 Runs the 1 mm bin with each model of `STEPS` on three grids, with orifices of several widths, and with other diameters
-in one term at a time. What is there already is not run again. Writes into cases/why_c: rates.csv, a row a run, and the
-figures. --budget leaves out the finest grid, which takes nine tenths of the time."""
+in one term at a time. What is there already is not run again. Writes into cases/why_c: rates.csv, a row a run, the
+figures, and the tables of README.md. --budget leaves out the finest grid, which takes half of the time."""
 import argparse
 import csv
 import math
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -42,12 +43,12 @@ class Step:
 STEPS = (
     Step("paper", "the paper's model"),
     Step("upwind", "first-order advection", {"advection": "upwind"}, finest=False),
-    Step("dissipation", "friction in collisions, 0.3", {"particle_friction": 0.3}),
+    Step("dissipation", "friction in collisions, 0.3", {"particle_friction": 0.3}, finest=False),
     Step("rough", "paper's model, rough floor", ROUGH, finest=False),
     Step("floor_50", "a floor of 50 1/s for T/d^2", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 50}, finest=False),
     Step("floor_10", "a floor of 10 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 10}, finest=False),
-    Step("floor_1", "a floor of 1 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 1}),
-    Step("floor_0.01", "a floor of 0.01 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01}),
+    Step("floor_1", "a floor of 1 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 1}, finest=False),
+    Step("floor_0.01", "a floor of 0.01 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01}, finest=False),
     Step("best", "0.01 1/s, rough floor", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH}),
     Step("best_rough_walls", "rough walls as well",
          {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "boundary_wall_kind": "wall_no_slip"},
@@ -56,6 +57,7 @@ STEPS = (
          {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "particle_friction": 0.3}, finest=False),
     Step("best_mu_i", "M(I), well-posed",
          {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "friction_coefficient": "cidr"}, finest=False),
+    Step("fluidity", "nonlocal friction, rough floor", {"friction_coefficient": "fluidity", **ROUGH}, finest=False),
 )
 
 #: Grids by name: cells against case.yaml, and the options. The coarse one has each pair of cells of case.yaml as one.
@@ -205,6 +207,66 @@ def width_law(rows, model):
     return exponent, -intercept / slope / 0.1
 
 
+# ---- the tables of the page ----
+
+SHOWN = ("rate [g/s]", "C", "rate / slot law", "nu in the orifice", "corner / plug", "shoulder height [cm]", "newton", "cpu [s]")
+
+
+def markdown(head, lines):
+    """A table of texts."""
+    return "\n".join("| " + " | ".join(line) + " |" for line in (head, ["---"] * len(head), *lines))
+
+
+def done(rows, **where):
+    """The rows of the runs that reached their end and have these columns."""
+    return [r for r in rows if r["status"] == "done" and all(r[name] == value for name, value in where.items())]
+
+
+def steps_table(rows):
+    """A line a model on the grid of case.yaml, with its rates on the other grids."""
+    lines = []
+    for step in STEPS:
+        by_grid = {r["grid"]: r for r in done(rows, model=step.name) if r["orifice [cm]"] == 1.4}
+        if "case" in by_grid:
+            one = by_grid["case"]
+            rates = [by_grid[grid]["rate [g/s]"] if grid in by_grid else "" for grid in GRIDS]
+            lines.append([step.words, *rates, *(str(one[name]) for name in SHOWN[1:])])
+    head = ["model", *(f"rate [g/s], {cells}" for cells in ("half the cells", "`case.yaml`", "twice the cells")), *SHOWN[1:]]
+    return markdown(head, lines)
+
+
+def widths_table(rows):
+    head = ["width [cm]", *(f"{model}: rate [g/s]" for model in WIDTH_MODELS), "slot law [g/s]"]
+    lines = []
+    for width in WIDTHS:
+        found = [done(rows, model=model, grid="case", **{"orifice [cm]": width}) for model in WIDTH_MODELS]
+        lines.append([f"{width:g}", *(r[0]["rate [g/s]"] if r else "" for r in found), f"{slot_law(width):.1f}"])
+    laws = [width_law(rows, model) for model in WIDTH_MODELS]
+    lines.append(["exponent of the width", *(f"{exponent:.2f}" for exponent, _ in laws), ""])
+    lines.append(["k of (D - k d)^1.5", *(f"{k:.1f}" for _, k in laws), "1.4"])
+    return markdown(head, lines)
+
+
+def diameters_table(rows):
+    lines = [[words, *(str(r[name]) for name in SHOWN[:2])] for name, (words, _) in DIAMETERS.items()
+             for r in done(rows, model=name)]
+    one = {r["model"]: r for r in done(rows, grid="case") if r["orifice [cm]"] == 1.4}
+    for name, words in (("paper", "1 mm in all terms"), ("floor_1", "1 mm, friction without T/d^2, floor of 1 1/s")):
+        if name in one:
+            lines.append([words, *(str(one[name][column]) for column in SHOWN[:2])])
+    return markdown(["diameter", *SHOWN[:2]], lines)
+
+
+def fill_page(rows):
+    """Puts the tables between their marks on the page."""
+    page = PAGE / "README.md"
+    text = page.read_text()
+    for name, maker in (("steps", steps_table), ("widths", widths_table), ("diameters", diameters_table)):
+        text = re.sub(rf"(<!-- generated: {name} -->\n).*?(<!-- end -->)",
+                      lambda match: f"{match[1]}{maker(rows)}\n{match[2]}", text, flags=re.S)
+    page.write_text(text)
+
+
 # ---- figures ----
 
 
@@ -283,9 +345,7 @@ def main():
     plots.draw_to_files()
     for name, figure in (("rates", draw_rates(rows)), ("widths", draw_widths(rows)), ("shoulders", draw_shoulders(points))):
         figure.savefig(PAGE / f"{name}.png")
-    for model in WIDTH_MODELS:
-        exponent, k = width_law(rows, model)
-        print(f"{model}: rate ~ D^{exponent:.3f}; (D - k d)^1.5 with k = {k:.2f}")
+    fill_page(rows)
 
 
 if __name__ == "__main__":
