@@ -32,7 +32,7 @@ OPTIONS = {
     "equilibrium without friction": ({"friction_model": "none", "initial_fill_profile": "equilibrium",
                                       "initial_fill_surface": "7 cm"}, ["initial_fill_profile", "equilibrium", "friction_model"]),
     "equilibrium without a surface": ({"initial_fill_profile": "equilibrium"}, ["initial_fill_surface", "required"]),
-    "first step above the greatest": ({"time_step_initial": 1}, ["time_step_initial", "1", "time_step_max"]),
+    "first step above the greatest": ({"time_step_initial": 1, "time_step_max": 0.5}, ["time_step_initial", "1", "time_step_max"]),
     "missing table": ({"initial_fill_table": "no/such/table"}, ["initial_fill_table", "no/such/table"]),
     "wrong window": ({"boundary_top_from": 1, "boundary_top_until": 0.5}, ["boundary_top_until", "0.5", "boundary_top_from"]),
     "missing restart": ({"restart": "no/such/run"}, ["no/such/run", "exist"]),

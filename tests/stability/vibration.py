@@ -8,7 +8,8 @@ RHO_S, RHO_G, G, A, F, NU_MIN, NU_MAX = 2900.0, 1.3, 9.81, 1.193e-3, 0.05, 0.5, 
 OMEGA = 2 * np.pi * 25
 P_C_ALONE = {"friction_model": "critical_state", "friction_strain_rate_floor": 1e8, "granular_temperature": "constant",
              "granular_temperature_value": 0}
-GRIDS = ((50, 2e-4), (100, 1e-4), (200, 5e-5))  # cells, step [s]
+#: Cells, step [s]. Without gas momentum is kept in each step, and what is missing is what the half cell at the floor takes.
+GRIDS = {False: ((100, 2e-4), (200, 1e-4), (400, 5e-5)), True: ((50, 2e-4), (100, 1e-4), (200, 5e-5))}
 
 
 def p_c(nu):
@@ -39,7 +40,7 @@ def centre_of_mass(state):
 program, checks = Program(), Checks("bed on a vibrating floor", "H13")
 for gas in (False, True):
     errors, flights, landings = [], [], []
-    for cells, dt in GRIDS:
+    for cells, dt in GRIDS[gas]:
         name = f"{'gas' if gas else 'vacuum'}, {cells} cells, dt {1e6 * dt:g} us"
         options = {**EXACT, **COLUMN, "snes_rtol": 1e-8, "snes_atol": 1e-8, **P_C_ALONE, "gas": "incompressible" if gas else "none",
                    "grid_cells": cells, "probe_floor_point": 0.05 / cells, "time_step_initial": dt, "output_interval": 1e-3,

@@ -14,7 +14,7 @@ namespace scree {
 /// void_floor is added to nu in the inertia, and in a drag floor rho_s v/t_d that lets the velocity there decay
 /// (towards that of the gas, by the gas's own drag, where u is an unknown: cell_balances.hpp); gravity acts on nu
 /// alone. With gas it is reduced by buoyancy, since p_g is what exceeds the pressure of still gas.
-/// nu is that before the step, where the scheme is backward Euler: see solids_momentum.hpp.
+/// nu is that before the step, where the scheme is backward Euler and there is no gas: see solids_momentum.hpp.
 /// On an open side the control volume is half a cell, and moves with it as much of the particles that have just left:
 /// what falls out of an orifice is not held back by the stress inside alone.
 template <class L, int axis>
@@ -51,13 +51,17 @@ struct FaceForces {
   }
 
  private:
-  /// nu at the face before the step that the rates are differences over; as it is where they are not.
+  /// nu at the face before the step that the rates are differences over; as it is where they are not, and with gas,
+  /// whose drag at the new nu the weight has to balance.
   template <class Layout, class Q>
   static auto before_step(const Scene& scene, const Index& I, const Q& q) {
-    const auto before = [&](int component, const Index& at) {
+    [[maybe_unused]] const auto before = [&](int component, const Index& at) {
       return q(component, at) - scene.step * q.dot(component, at);
     };
-    return face_solids_fraction<Layout>(scene, I, before, axis, Index{});
+    if constexpr (Layout::has_gas)
+      return face_solids_fraction<Layout>(scene, I, q, axis, Index{});
+    else
+      return face_solids_fraction<Layout>(scene, I, before, axis, Index{});
   }
   /// How far the half cell beyond an open side is filled by what leaves with the speed `outflow`: 0 at rest, where
   /// nothing lies outside, 1 in a flow much faster than a tenth of sqrt(g d).

@@ -12,7 +12,8 @@ namespace scree {
 /// elsewhere it saves a third of the iterations.
 struct NewtonTolerance {
   static constexpr double tight = 1e-3, loose = 3e-2;
-  static constexpr double most = 3e-4;  ///< however loose: nu of the emptiest cells would turn negative
+  static constexpr double most = 3e-4;    ///< however loose: nu of the emptiest cells would turn negative
+  static constexpr double least = 1e-11;  ///< what rounding lets be reached
   static constexpr double most_dilute = 3e-2;
   static constexpr int least_wait = 10, most_wait = 160;
 
@@ -21,10 +22,10 @@ struct NewtonTolerance {
 
   /// For steps that may make the local error `local_tolerance`.
   double residual(double local_tolerance) const {
-    return std::min((calm < wait ? tight : loose) * local_tolerance, most);
+    return std::clamp((calm < wait ? tight : loose) * local_tolerance, least, most);
   }
   /// How far off a single unknown may be where particles are few [scales].
-  static double dilute(double local_tolerance) { return std::min(3 * local_tolerance, most_dilute); }
+  static double dilute(double local_tolerance) { return std::clamp(3 * local_tolerance, 1e3 * least, most_dilute); }
   /// An attempt; the next one of the same step is to do better. A tight one that fails says nothing of loose ones.
   void failed() {
     if (calm >= wait) wait = calm < 2 * wait ? std::min(2 * wait, most_wait) : least_wait;
