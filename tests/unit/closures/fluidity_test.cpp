@@ -95,7 +95,7 @@ TEST(Fluidity, DerivativesMatchDifferences) {
     for (const double p_f : {1e-2, 100.0, 1e5})
       for (const double S_S : {1e-4, 50.0, 1e5})
         for (const double chi : {.3, .95, 1.05})
-          testing::expect_derivatives_match(Law(), {g, p_f, S_S, chi}, {g, p_f, S_S, .03 * chi}, "fluidity", 1e-7);
+          testing::expect_derivatives_match<4>(Law(), {g, p_f, S_S, chi}, {g, p_f, S_S, .03 * chi}, "fluidity", 1e-7);
 }
 
 TEST(Fluidity, FiniteAtTheEdges) {  // H15
