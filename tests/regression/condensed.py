@@ -1,4 +1,4 @@
-"""The preset condensed in each layout: few Krylov iterations, the solution of a direct solver, and a restart that ends bit
+"""The preset condensed in each layout, on one rank and on two: few Krylov iterations, the solution of a direct solver, and a restart that ends bit
 for bit as the uninterrupted run; and a linear system that the first preset does not solve goes to it before a step is cut."""
 import shutil
 
@@ -8,7 +8,7 @@ from scree_program import DIRECT, Checks, Program
 BUBBLE = "../../cases/bubble_rise/paper.yaml"
 COARSE_BUBBLE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cells": "12, 8",
                  "initial_bed_box": "0, 7 cm, 0, 12 cm"}
-COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0, 2 cm, 12 cm", "grid_z_cells": "5, 13",
+COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0, 2 cm, 12 cm", "grid_z_cells": "4, 8",
               "initial_fill_box": "0, 4 cm, 0, 4 cm, 2 cm, 9 cm",
               "boundary_wall_x_patch": "0, 4 cm, 2 cm, 12 cm", "boundary_wall_y_patch": "0, 4 cm, 2 cm, 12 cm"}
 # Layout: case, options, end of a run with free steps [s], Krylov iterations a linear system there, at most.
@@ -32,26 +32,31 @@ def difference(a, b):
     return max(np.abs((a[name] - b[name])[there]).max() / np.abs(a[name]).max() for name in names)
 
 
-program, checks = Program(), Checks("the preset condensed")
-for layout, (case, options, end, most) in LAYOUTS.items():
-    name = layout.replace(", ", "_")
-    free = {**options, **CONDENSED, "end_time": end, "checkpoint_interval": end / 2}
-    whole = program.run(case, name, free)
-    mean = whole.summary["krylov_iterations"] / whole.summary["newton_iterations"]
-    checks.below(f"{layout}: Krylov iterations a linear system", mean, most)
-    exact = program.run(case, f"{name}_free_direct", {**options, **DIRECT, "end_time": end})
-    checks.below(f"{layout}: steps cut by the solver, beyond those that are cut with exact solutions too",
-                 whole.summary["rejected_solver"] - exact.summary["rejected_solver"], 1)
+def go_on(layout, name, case, free, whole, ranks):
+    """The run `whole` from its checkpoint at half time."""
     shutil.copytree(whole.directory, program.work / f"{name}_again")
     sorted((program.work / f"{name}_again" / "checkpoints").glob("*.h5"))[-1].unlink()
-    again = program.run(case, f"{name}_again", {**free, "restart": program.work / f"{name}_again"})
-    checks.true(f"{layout}: restart, bits of the last fields",
+    again = program.run(case, f"{name}_again", {**free, "restart": program.work / f"{name}_again"}, ranks=ranks)
+    checks.true(f"{layout}, ranks {ranks}: restart, bits of the last fields",
                 all(np.array_equal(whole.fields[field], again.fields[field]) for field in whole.fields),
                 f"differ by {difference(whole.fields, again.fields):.1e}")
 
-    tight = program.run(case, f"{name}_tight", {**options, **TIGHT, **CONDENSED})
+
+program, checks = Program(), Checks("the preset condensed, on one rank and on two")
+for layout, (case, options, end, most) in LAYOUTS.items():
+    name = layout.replace(", ", "_")
+    exact = program.run(case, f"{name}_free_direct", {**options, **DIRECT, "end_time": end})
     direct = program.run(case, f"{name}_direct", {**options, **TIGHT, **DIRECT})
-    checks.below(f"{layout}: against direct", difference(direct.fields, tight.fields), 1e-6)
+    for ranks in (1, 2):
+        free = {**options, **CONDENSED, "end_time": end, "checkpoint_interval": end / 2}
+        whole = program.run(case, f"{name}_{ranks}", free, ranks=ranks)
+        mean = whole.summary["krylov_iterations"] / whole.summary["newton_iterations"]
+        checks.below(f"{layout}, ranks {ranks}: Krylov iterations a linear system", mean, most)
+        checks.below(f"{layout}, ranks {ranks}: steps cut by the solver, beyond those that are cut with exact solutions too",
+                     whole.summary["rejected_solver"] - exact.summary["rejected_solver"], 1)
+        go_on(layout, f"{name}_{ranks}", case, free, whole, ranks)
+        tight = program.run(case, f"{name}_tight_{ranks}", {**options, **TIGHT, **CONDENSED}, ranks=ranks)
+        checks.below(f"{layout}, ranks {ranks}: against direct", difference(direct.fields, tight.fields), 1e-6)
 
 # Jacobi in the place of ILU, and few iterations: the run goes over to condensed, and no step is cut.
 weak = program.run("small_bin.yaml", "weak", {"end_time": 0.01, "ksp_max_it": 6, "sub_pc_type": "jacobi"})

@@ -12,7 +12,7 @@ COARSE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "grid_y_cel
 TOLERANCES = {"bed_height": 2e-3, "solids_fraction_max": 2e-3, "gas_pressure_max": 0.01,
               "speed_max": 0.02}
 CASE = "../../cases/bubble_rise/paper.yaml"
-GIVEN_STEPS = {"time_step_adaptive": "no", "time_step_initial": 5e-5, "end_time": 2e-3, "snes_rtol": 1e-9, "snes_atol": 1e-7,
+GIVEN_STEPS = {"time_step_adaptive": "no", "time_step_initial": 5e-5, "end_time": 1e-3, "snes_rtol": 1e-9, "snes_atol": 1e-7,
                "ksp_rtol": 1e-8}
 
 
@@ -36,13 +36,13 @@ checks.below("gas volume: greatest error ever", np.abs(monitor["gas_volume_error
 checks.above("least nu ever", monitor["solids_fraction_min"].min(), -1e-9)
 
 # From the checkpoint in the middle of the jet.
-for name, ranks in (("same_ranks", program.ranks), ("other_ranks", 3 - program.ranks)):
+for name, ranks in (("same_ranks", 1), ("other_ranks", 2)):
     shutil.copytree(whole.directory, program.work / name)
     checkpoints = sorted((program.work / name / "checkpoints").glob("*.h5"))
     checks.equal(f"{name}: checkpoints", len(checkpoints), 2)
     checkpoints[-1].unlink()
     again = program.run(CASE, name, {**COARSE, "restart": program.work / name}, ranks=ranks)
-    if ranks == program.ranks:
+    if ranks == 1:
         checks.true("same ranks: bits of the last fields",
                     all(np.array_equal(whole.fields[n], again.fields[n]) for n in whole.fields),
                     f"differ by {difference(whole.fields, again.fields):.1e}")
@@ -50,12 +50,12 @@ for name, ranks in (("same_ranks", program.ranks), ("other_ranks", 3 - program.r
         checks.below("other ranks: greatest difference", difference(whole.fields, again.fields), 5e-3)
 
 one = program.run(CASE, "given_steps", {**COARSE, **GIVEN_STEPS})
-for preset in ("ilu", "multigrid", "condensed", "direct"):
-    other = program.run(CASE, f"preset_{preset}", {**COARSE, **GIVEN_STEPS, "solver": preset})
-    checks.equal(f"preset {preset}: steps cut", other.summary["rejected_solver"], 0)
-    checks.below(f"preset {preset} against fieldsplit", difference(one.fields, other.fields), 1e-6)
-other = program.run(CASE, "ranks", {**COARSE, **GIVEN_STEPS}, ranks=3 - program.ranks)
-checks.below("1 rank against 2", difference(one.fields, other.fields), 1e-6)
+for ranks in (1, 2):
+    for preset in ("ilu", "multigrid", "condensed", "direct", *(["fieldsplit"] if ranks > 1 else [])):
+        name = f"preset {preset}, ranks {ranks}"
+        other = program.run(CASE, f"preset_{preset}_{ranks}", {**COARSE, **GIVEN_STEPS, "solver": preset}, ranks=ranks)
+        checks.equal(f"{name}: steps cut", other.summary["rejected_solver"], 0)
+        checks.below(f"{name} against fieldsplit on 1", difference(one.fields, other.fields), 1e-6)
 
 full = program.run("../../cases/bubble_rise/full_width.yaml", "full_width",
                    {**COARSE, **GIVEN_STEPS, "grid_x_cells": "6, 2, 6", "initial_bed_box": "-7 cm, 7 cm, 0, 12 cm"}).fields

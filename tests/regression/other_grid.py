@@ -83,7 +83,7 @@ for name, options, expected in [
     ("packing", {"solids_fraction_max": 0.53, "friction_solids_fraction_min": 0.5}, "a run with solids fractions below solids_fraction_max = 0.53"),
     ("off the grid", {"initial_settled_box": "0, 2.1 cm, 0, 5 cm"}, None),
 ]:
-    for more in ({}, {"check": None}) if program.ranks == 1 else ({},):
+    for more in ({}, {"check": None}):
         if name == "packing" and more:
             continue  # -check looks at the grid alone
         run = start("wrong", {**options, **more}, must_work=False)
