@@ -82,8 +82,8 @@ struct TimeParameters {
   double step_initial = 1e-6;
   double step_min = 1e-12;
   double step_max = std::numeric_limits<double>::infinity();
-  double accuracy = 0.1;   ///< relative error in time that is asked for; the one accuracy knob
-  bool adaptive = true;    ///< false: fixed step = step_initial
+  double accuracy = 0.1;  ///< relative error in time that is asked for; the one accuracy knob
+  bool adaptive = true;   ///< false: fixed step = step_initial
 };
 
 struct OutputParameters {
