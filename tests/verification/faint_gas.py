@@ -6,7 +6,9 @@ from scree_program import Checks, Program
 FIELDS = ("solids_fraction", "velocity_x_face", "velocity_y_face", "granular_temperature", "frictional_pressure_ratio")
 
 program, checks = Program(), Checks("bin with a gas of 1e-6 kg/m3 and 1e-12 Pa s", "T18")
-TIGHT = {"solver": "direct", "accuracy": 1e-5}  # Newton far below the difference that is looked for
+# Newton far below the difference that is looked for. Backward Euler keeps momentum in a step without gas alone, and would
+# differ by as much as nu changes in a step.
+TIGHT = {"solver": "direct", "time_scheme": "arkimex", "accuracy": 1e-4}
 without = program.run("faint_gas.yaml", "none", TIGHT).fields
 for gas in ("incompressible", "darcy"):
     run = program.run("faint_gas.yaml", gas, {**TIGHT, "gas": gas, "gas_density": 1e-6, "gas_viscosity": 1e-12})

@@ -11,7 +11,7 @@ namespace scree {
 /// beds of little T, with stresses of the sign of the strain rate alone, answer with hundreds of failed steps;
 /// elsewhere it saves a third of the iterations.
 struct NewtonTolerance {
-  static constexpr double tight = 1e-3, loose = 3e-2;
+  static constexpr double tight = 5e-4, loose = 1.5e-2;
   static constexpr double most = 3e-4;    ///< however loose: nu of the emptiest cells would turn negative
   static constexpr double least = 1e-11;  ///< what rounding lets be reached
   static constexpr double most_dilute = 3e-2;
