@@ -12,23 +12,28 @@ void good_steps(NewtonTolerance& tolerance, int count) {
 TEST(NewtonTolerance, IsTightUntilStepsHaveGoneWell) {
   NewtonTolerance tolerance;
   good_steps(tolerance, 9);
-  EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 1e-6);
+  EXPECT_DOUBLE_EQ(tolerance.residual(2e-3), 1e-6);
   good_steps(tolerance, 1);
-  EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 3e-5);
+  EXPECT_DOUBLE_EQ(tolerance.residual(2e-3), 3e-5);
 }
 
 TEST(NewtonTolerance, IsTightForTheNextAttemptOfAFailedStep) {
   NewtonTolerance tolerance;
   good_steps(tolerance, 50);
   tolerance.failed();
-  EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 1e-6);
+  EXPECT_DOUBLE_EQ(tolerance.residual(2e-3), 1e-6);
 }
 
 TEST(NewtonTolerance, HasABoundForLooseSteps) {
   NewtonTolerance tolerance;
-  EXPECT_DOUBLE_EQ(tolerance.residual(0.1), 1e-4);
+  EXPECT_DOUBLE_EQ(tolerance.residual(0.2), 1e-4);
   good_steps(tolerance, 20);
-  EXPECT_DOUBLE_EQ(tolerance.residual(0.1), 3e-4);
+  EXPECT_DOUBLE_EQ(tolerance.residual(0.2), 3e-4);
+}
+
+TEST(NewtonTolerance, StaysAboveRounding) {
+  EXPECT_DOUBLE_EQ(NewtonTolerance().residual(1e-12), NewtonTolerance::least);
+  EXPECT_GT(NewtonTolerance::dilute(1e-30), NewtonTolerance::least);
 }
 
 TEST(NewtonTolerance, BoundsSingleUnknownsWhereParticlesAreFew) {
@@ -43,9 +48,9 @@ TEST(NewtonTolerance, WaitsTwiceAsLongWhereLooseStepsFailSoon) {
     tolerance.failed();
     tolerance.step_done(true);
     good_steps(tolerance, wait - 1);
-    EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 1e-6) << wait;
+    EXPECT_DOUBLE_EQ(tolerance.residual(2e-3), 1e-6) << wait;
     good_steps(tolerance, 1);
-    EXPECT_DOUBLE_EQ(tolerance.residual(1e-3), 3e-5) << wait;
+    EXPECT_DOUBLE_EQ(tolerance.residual(2e-3), 3e-5) << wait;
   }
 }
 
