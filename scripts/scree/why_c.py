@@ -155,7 +155,8 @@ class Measured:
         for y, row in zip(self.run.y, self.speed / self.plug):
             slow = np.flatnonzero(row < SHOULDER)
             if 0 < y < 20 and slow.size and slow[0] > 0:
-                points.append((self.run.x_faces[slow[0]], y))
+                pair = slice(slow[0] - 1, slow[0] + 1)  # between the centres of these cells, by interpolation
+                points.append((np.interp(-SHOULDER, -row[pair], self.run.x[pair]), y))
         return np.array(points)
 
     def shoulder_angle(self):
@@ -181,8 +182,8 @@ def row(job, point):
         "corner / plug": f"{measured.corner:.2e}",
         "shoulder height [cm]": f"{measured.shoulder_height():.2f}",
         "shoulder angle [deg]": f"{measured.shoulder_angle():.0f}",
-        "newton": measured.summary["newton_iterations"],
-        "steps": measured.summary["steps"],
+        "newton": int(measured.summary["newton_iterations"]),
+        "steps": int(measured.summary["steps"]),
         "cpu [s]": f"{measured.summary['cpu_seconds']['total']:.0f}",
     }
 
@@ -278,7 +279,7 @@ def draw_rates(rows):
         found = {r["model"]: float(r["rate [g/s]"]) for r in rows
                  if r["grid"] == grid and r["status"] == "done" and float(r["orifice [cm]"]) == 1.4}
         shown = [n for n, name in enumerate(names) if name in found]
-        axes.barh([n + 0.27 * (number - 1) for n in shown], [found[names[n]] for n in shown], 0.25,
+        axes.barh([n + 0.27 * (number - 1) for n in shown], [found[names[n]] for n in shown], 0.25, color=f"C{number}",
                   label={"half": "half the cells", "case": "graded grid", "double": "twice the cells"}[grid])
     axes.axvline(slot_law(1.4), color="0.3", linestyle="--", linewidth=1.3, label="slot law")
     axes.set_yticks(range(len(names)), [step.words for step in STEPS])
