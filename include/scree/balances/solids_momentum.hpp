@@ -15,10 +15,11 @@
 ///     rho_s nu g                  weight          FaceForces
 ///     - (where nu -> 0)           void_drag       FaceForces; with an unknown u the drag of CellBalances
 ///
-/// The advective form is the conservative one minus v times (1), with the same flux. Without gas nu of inertia and weight is that
-/// before the step of backward Euler: nu v - nu_before v_before = nu_before (v - v_before) + v (nu - nu_before), so that
-/// momentum is conserved to rounding whatever passes a face in a step, and what falls freely gains g dt. p_g is what exceeds the pressure of still gas, so that the weight is reduced by buoyancy. Without
-/// particles (3) says nothing: closures/voids.hpp adds a floor to nu in inertia and a drag that lets v decay.
+/// The advective form is the conservative one minus v times (1), with the same flux. Without gas nu of inertia and
+/// weight is that before the step of backward Euler: nu v - nu_before v_before = nu_before (v - v_before) + v (nu -
+/// nu_before), so that momentum is conserved to rounding whatever passes a face in a step, and what falls freely gains
+/// g dt. p_g is what exceeds the pressure of still gas, so that the weight is reduced by buoyancy. Without particles
+/// (3) says nothing: closures/voids.hpp adds a floor to nu in inertia and a drag that lets v decay.
 #pragma once
 
 #include "scree/grid/unknown.hpp"
