@@ -19,45 +19,47 @@ from scree.bin_discharge import Run
 from scree.plots import plt
 
 ROOT = Path(__file__).resolve().parents[2]
-CASE = ROOT / "cases" / "bin_discharge" / "case.yaml"
+BIN = ROOT / "cases" / "bin_discharge"
 PAGE = ROOT / "cases" / "why_c"
 WINDOW = (0.3, 0.5)  # [s], over which rates are means: after the start-up, while the finest grid can be afforded
 GRAVITY, DENSITY, PACKING = 981.0, 2.9, 0.60  # [cm/s2], [g/cm3], solids fraction of the fill
 SHOULDER = 0.1  # of the plug's speed: what moves more slowly belongs to the shoulder
 PLUG_HEIGHT = 50.0  # above the floor [cm], where the bed moves as one
 
-SMOOTH, ROUGH = {}, {"plate_floor_kind": "wall_no_slip"}
-STRAIN_RATE_ALONE = {"friction_fluctuation": 0}
+ROUGH = {"plate_floor_kind": "wall_no_slip"}
+USUAL_WIDTH = 1.4  # of the orifice [cm]
+
+
+def floor(rate):
+    """The options of friction without T/d^2, with a floor under the strain rate [1/s]."""
+    return {"friction_fluctuation": 0, "friction_strain_rate_floor": rate}
 
 
 @dataclass(frozen=True)
 class Step:
-    """One model: its name in rates.csv, what the page says of it, and its options against case.yaml."""
+    """One model: its name in rates.csv, what the page says of it, its options, and the case that they are changes of."""
 
     name: str
     words: str
     options: dict = field(default_factory=dict)
-    finest: bool = True  # run on the finest grid as well
+    case: str = "case.yaml"
+    finest: bool = False  # run on the finest grid as well
 
 
 STEPS = (
-    Step("paper", "the paper's model"),
-    Step("upwind", "first-order advection", {"advection": "upwind"}, finest=False),
-    Step("dissipation", "friction in collisions, 0.3", {"particle_friction": 0.3}, finest=False),
-    Step("rough", "paper's model, rough floor", ROUGH, finest=False),
-    Step("floor_50", "a floor of 50 1/s for T/d^2", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 50}, finest=False),
-    Step("floor_10", "a floor of 10 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 10}, finest=False),
-    Step("floor_1", "a floor of 1 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 1}, finest=False),
-    Step("floor_0.01", "a floor of 0.01 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01}, finest=False),
-    Step("best", "0.01 1/s, rough floor", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH}),
-    Step("best_rough_walls", "rough walls as well",
-         {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "boundary_wall_kind": "wall_no_slip"},
-         finest=False),
-    Step("best_dissipation", "friction in collisions as well",
-         {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "particle_friction": 0.3}, finest=False),
-    Step("best_mu_i", "M(I), well-posed",
-         {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 0.01, **ROUGH, "friction_coefficient": "cidr"}, finest=False),
-    Step("fluidity", "nonlocal friction, rough floor", {"friction_coefficient": "fluidity", **ROUGH}, finest=False),
+    Step("paper", "the paper's model", finest=True),
+    Step("upwind", "first-order advection", {"advection": "upwind"}),
+    Step("dissipation", "friction in collisions, 0.3", {"particle_friction": 0.3}),
+    Step("rough", "paper's model, rough floor", ROUGH),
+    Step("floor_50", "a floor of 50 1/s for T/d^2", floor(50)),
+    Step("floor_10", "a floor of 10 1/s", floor(10)),
+    Step("floor_1", "a floor of 1 1/s", floor(1)),
+    Step("floor_0.01", "a floor of 0.01 1/s", floor(0.01)),
+    Step("best", "best.yaml: 0.01 1/s, rough floor", case="best.yaml", finest=True),
+    Step("best_rough_walls", "rough walls as well", {"boundary_wall_kind": "wall_no_slip"}, case="best.yaml"),
+    Step("best_dissipation", "friction in collisions as well", {"particle_friction": 0.3}, case="best.yaml"),
+    Step("best_mu_i", "M(I), well-posed", {"friction_coefficient": "cidr"}, case="best.yaml"),
+    Step("fluidity", "nonlocal friction, rough floor", {"friction_coefficient": "fluidity", **ROUGH}),
 )
 
 #: Grids by name: cells against case.yaml, and the options. The coarse one has each pair of cells of case.yaml as one.
@@ -74,19 +76,20 @@ DIAMETER = 0.1  # [mm]
 DIAMETERS = {
     "fine": ("0.1 mm in all terms", {}),
     "fine_friction_1mm": ("0.1 mm, but 1 mm in the T/d^2 of friction", {"friction_fluctuation": DIAMETER**2}),
-    "fine_floor": ("0.1 mm, friction without T/d^2, floor of 1 1/s", {**STRAIN_RATE_ALONE, "friction_strain_rate_floor": 1}),
+    "fine_floor": ("0.1 mm, friction without T/d^2, floor of 1 1/s", floor(1)),
 }
 
 
 @dataclass(frozen=True)
 class Job:
-    """A run: the model, the grid, the width of the orifice [cm], the diameter [mm], and all its options."""
+    """A run: the model, the grid, the width of the orifice [cm], the diameter [mm], the case and options against it."""
 
     model: str
     grid: str
     width: float
     diameter: float
     options: dict
+    case: str = "case.yaml"
 
     @property
     def label(self):
@@ -94,19 +97,18 @@ class Job:
 
     def point(self, work):
         options = {"end_time": WINDOW[1], "output_interval": 0.1, **self.options}
-        found = sweeps.Point(CASE, program.default_program(), 1, work, {}, options)
+        found = sweeps.Point(BIN / self.case, program.default_program(), 1, work, {}, options)
         found.name, found.directory = self.label, work / self.label
         return found
 
 
 def jobs():
     """All runs, the cheap ones first."""
-    found = [Job(step.name, grid, 1.4, 1.0, {**step.options, **options})
+    found = [Job(step.name, grid, USUAL_WIDTH, 1.0, {**step.options, **options}, step.case)
              for grid, options in GRIDS.items() for step in STEPS if step.finest or grid != "double"]
-    models = {step.name: step.options for step in STEPS}
-    found += [Job(name, "case", width, 1.0, {**models[name], "orifice_width": f"{width} cm"})
-              for name in WIDTH_MODELS for width in WIDTHS if width != 1.4]
-    found += [Job(name, "case", 1.4, DIAMETER, {**options, "particle_diameter": f"{DIAMETER} mm"})
+    found += [Job(step.name, "case", width, 1.0, {**step.options, "orifice_width": f"{width} cm"}, step.case)
+              for step in STEPS if step.name in WIDTH_MODELS for width in WIDTHS if width != USUAL_WIDTH]
+    found += [Job(name, "case", USUAL_WIDTH, DIAMETER, {**options, "particle_diameter": f"{DIAMETER} mm"})
               for name, (_, options) in DIAMETERS.items()]
     return sorted(found, key=lambda job: job.grid == "double")
 
@@ -198,11 +200,27 @@ def write(points, file):
     return rows
 
 
+def done(rows, **where):
+    """The rows of the runs that reached their end and have these columns."""
+    return [r for r in rows if r["status"] == "done" and all(r[name] == value for name, value in where.items())]
+
+
+def usual(rows, grid):
+    """Model -> its row on a grid, with the orifice of case.yaml."""
+    return {r["model"]: r for r in done(rows, grid=grid) if r["orifice [cm]"] == USUAL_WIDTH}
+
+
+def rates_by_width(rows, model):
+    """Width [cm], rate [g/s] of a model on the grid of case.yaml: n x 2, by width."""
+    return np.array(sorted((r["orifice [cm]"], float(r["rate [g/s]"])) for r in done(rows, model=model, grid="case")))
+
+
 def width_law(rows, model):
     """p of rate ~ D^p, and the k of rate ~ (D - k d)^1.5, by least squares; k in diameters of 1 mm."""
-    found = [(float(r["orifice [cm]"]), float(r["rate [g/s]"])) for r in rows
-             if r["model"] == model and r["grid"] == "case" and r["status"] == "done"]
-    width, rate = np.array(sorted(found)).T
+    found = rates_by_width(rows, model)
+    if len(found) < 2:
+        return math.nan, math.nan
+    width, rate = found.T
     exponent = np.polyfit(np.log(width), np.log(rate), 1)[0]
     slope, intercept = np.polyfit(width, rate ** (2 / 3), 1)
     return exponent, -intercept / slope / 0.1
@@ -218,30 +236,23 @@ def markdown(head, lines):
     return "\n".join("| " + " | ".join(line) + " |" for line in (head, ["---"] * len(head), *lines))
 
 
-def done(rows, **where):
-    """The rows of the runs that reached their end and have these columns."""
-    return [r for r in rows if r["status"] == "done" and all(r[name] == value for name, value in where.items())]
-
-
 def steps_table(rows):
     """A line a model on the grid of case.yaml, with its rates on the other grids."""
+    by_grid = {grid: usual(rows, grid) for grid in GRIDS}
     lines = []
     for step in STEPS:
-        by_grid = {r["grid"]: r for r in done(rows, model=step.name) if r["orifice [cm]"] == 1.4}
-        if "case" in by_grid:
-            one = by_grid["case"]
-            rates = [by_grid[grid]["rate [g/s]"] if grid in by_grid else "" for grid in GRIDS]
-            lines.append([step.words, *rates, *(str(one[name]) for name in SHOWN[1:])])
+        if step.name in by_grid["case"]:
+            rates = [found[step.name]["rate [g/s]"] if step.name in found else "" for found in by_grid.values()]
+            lines.append([step.words, *rates, *(str(by_grid["case"][step.name][name]) for name in SHOWN[1:])])
     head = ["model", *(f"rate [g/s], {cells}" for cells in ("half the cells", "`case.yaml`", "twice the cells")), *SHOWN[1:]]
     return markdown(head, lines)
 
 
 def widths_table(rows):
     head = ["width [cm]", *(f"{model}: rate [g/s]" for model in WIDTH_MODELS), "slot law [g/s]"]
-    lines = []
-    for width in WIDTHS:
-        found = [done(rows, model=model, grid="case", **{"orifice [cm]": width}) for model in WIDTH_MODELS]
-        lines.append([f"{width:g}", *(r[0]["rate [g/s]"] if r else "" for r in found), f"{slot_law(width):.1f}"])
+    found = {model: dict(rates_by_width(rows, model)) for model in WIDTH_MODELS}
+    lines = [[f"{width:g}", *(f"{found[model][width]:.2f}" if width in found[model] else "" for model in WIDTH_MODELS),
+              f"{slot_law(width):.1f}"] for width in WIDTHS]
     laws = [width_law(rows, model) for model in WIDTH_MODELS]
     lines.append(["exponent of the width", *(f"{exponent:.2f}" for exponent, _ in laws), ""])
     lines.append(["k of (D - k d)^1.5", *(f"{k:.1f}" for _, k in laws), "1.4"])
@@ -251,7 +262,7 @@ def widths_table(rows):
 def diameters_table(rows):
     lines = [[words, *(str(r[name]) for name in SHOWN[:2])] for name, (words, _) in DIAMETERS.items()
              for r in done(rows, model=name)]
-    one = {r["model"]: r for r in done(rows, grid="case") if r["orifice [cm]"] == 1.4}
+    one = usual(rows, "case")
     for name, words in (("paper", "1 mm in all terms"), ("floor_1", "1 mm, friction without T/d^2, floor of 1 1/s")):
         if name in one:
             lines.append([words, *(str(one[name][column]) for column in SHOWN[:2])])
@@ -276,12 +287,11 @@ def draw_rates(rows):
     figure, axes = plt.subplots(figsize=(7.2, 4.6))
     names = [step.name for step in STEPS]
     for number, grid in enumerate(GRIDS):
-        found = {r["model"]: float(r["rate [g/s]"]) for r in rows
-                 if r["grid"] == grid and r["status"] == "done" and float(r["orifice [cm]"]) == 1.4}
+        found = {name: float(r["rate [g/s]"]) for name, r in usual(rows, grid).items()}
         shown = [n for n, name in enumerate(names) if name in found]
         axes.barh([n + 0.27 * (number - 1) for n in shown], [found[names[n]] for n in shown], 0.25, color=f"C{number}",
                   label={"half": "half the cells", "case": "graded grid", "double": "twice the cells"}[grid])
-    axes.axvline(slot_law(1.4), color="0.3", linestyle="--", linewidth=1.3, label="slot law")
+    axes.axvline(slot_law(USUAL_WIDTH), color="0.3", linestyle="--", linewidth=1.3, label="slot law")
     axes.set_yticks(range(len(names)), [step.words for step in STEPS])
     axes.invert_yaxis()
     axes.set_xlabel("discharge rate (g/s)")
@@ -295,8 +305,7 @@ def draw_widths(rows):
     width = np.linspace(0.8, 2.6, 100)
     axes.plot(width, [slot_law(w) for w in width], color="0.3", linestyle="--", label="slot law")
     for model, words in (("paper", "paper's model"), ("best", "best.yaml")):
-        found = np.array(sorted((float(r["orifice [cm]"]), float(r["rate [g/s]"])) for r in rows
-                                if r["model"] == model and r["grid"] == "case" and r["status"] == "done"))
+        found = rates_by_width(rows, model)
         if len(found):
             axes.plot(*found.T, "o-", label=words)
     axes.set(xlabel="width of the orifice (cm)", ylabel="discharge rate (g/s)", xscale="log", yscale="log")
@@ -311,7 +320,7 @@ def draw_shoulders(points):
     figure, axes = plt.subplots(figsize=(4.6, 4.8))
     words = {step.name: step.words for step in STEPS}
     for job, point in points:
-        if job.grid == "case" and job.width == 1.4 and point.state() == "done" and job.model in (
+        if job.grid == "case" and job.width == USUAL_WIDTH and point.state() == "done" and job.model in (
                 "paper", "dissipation", "floor_0.01", "best", "best_rough_walls"):
             line = Measured(point.directory).shoulder_line()
             if len(line):
