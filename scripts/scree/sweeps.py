@@ -88,7 +88,9 @@ class Point:
             shutil.rmtree(self.directory, ignore_errors=True)
             return
         record = {"key": self.key(), "reason": self.reason(process.returncode, log)}
-        (self.directory / "sweep.json").write_text(json.dumps(record, indent=1))
+        new = self.directory / "sweep.json.new"  # others read the table's rows meanwhile: all of it or nothing
+        new.write_text(json.dumps(record, indent=1))
+        new.rename(self.directory / "sweep.json")
 
     def reason(self, code, log):
         """Why the run failed, empty where it reached its end."""

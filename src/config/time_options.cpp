@@ -9,7 +9,7 @@ void declare_time(OptionSet& o, TimeParameters& time) {
            "backward Euler, BDF of order 2, stiffly accurate implicit Runge-Kutta");
   o.real("end_time", time.end_time, "s", non_negative(), "time at which the run ends");
   o.real("accuracy", time.accuracy, "-", {0, 1, false, false, "in (0, 1)"},
-         "relative error in time that the fields may have; rates and means have a tenth of it");
+         "relative error that all steps together may leave in the fields; rates and means have less");
   o.boolean(
       "time_step_adaptive", time.adaptive,
       "no: all steps are time_step_initial, but for those cut to end at the time of an output or of a time window");

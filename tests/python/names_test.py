@@ -9,6 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "scripts"
+NOT_NEEDED = {"paraview"}  # where it is missing, a script of its own is of no use
 SHARED = (SCRIPTS, SCRIPTS / "paper", ROOT / "tests" / "support")  # where imports are looked for besides their folder
 
 
@@ -63,6 +64,11 @@ def offers(path, name):
     return name in late or (path.parent / f"{name}.py").exists()
 
 
+def is_installed(module):
+    package = module.split(".")[0]
+    return package in NOT_NEEDED or importlib.util.find_spec(package) is not None
+
+
 def problems(path):
     """What a file names that is not there, as `line: text`."""
     folders = (path.parent, *SHARED)
@@ -73,12 +79,12 @@ def problems(path):
                 source = module_file(alias.name, folders)
                 if source:
                     modules[alias.asname or alias.name] = source
-                elif not importlib.util.find_spec(alias.name.split(".")[0]):
+                elif not is_installed(alias.name):
                     yield f"{node.lineno}: no module {alias.name}"
         elif isinstance(node, ast.ImportFrom) and not node.level:
             source = module_file(node.module, folders)
             if not source:
-                if not importlib.util.find_spec(node.module.split(".")[0]):
+                if not is_installed(node.module):
                     yield f"{node.lineno}: no module {node.module}"
                 continue
             for alias in node.names:

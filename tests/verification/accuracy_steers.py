@@ -1,4 +1,5 @@
-"""T24, the accuracy steers: errors in time are no greater than was asked for, they fall in proportion to it, and neither empty space nor the velocity scale nor a change of units changes the steps."""
+"""T24, the accuracy steers: errors in time are about what was asked for and fall in proportion to it. Neither empty space,
+nor the velocity scale, nor a change of units changes the steps."""
 import numpy as np
 from haff_cooling_exact import temperature
 from scree_program import EXACT, Checks, Program
