@@ -25,8 +25,8 @@ inline std::string name_of(const Combination& c) {
          schemes[static_cast<int>(c.advection)] + gases[static_cast<int>(c.gas)];
 }
 
-/// All combinations without gas; for each gas model some that hold every layout (T or not, chi or not) with both
-/// advection schemes and each closure.
+/// All combinations without gas in one and two dimensions; else some that hold every layout (T or not, chi or not) with
+/// both advection schemes and each closure.
 inline std::vector<Combination> combinations() {
   std::vector<Combination> all;
   const AdvectionScheme upwind = AdvectionScheme::upwind, van_albada = AdvectionScheme::van_albada;
@@ -35,8 +35,9 @@ inline std::vector<Combination> combinations() {
          {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
       for (const auto temperature :
            {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
-        for (const auto advection : {upwind, van_albada}) all.push_back({dim, friction, temperature, advection});
-    for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+        for (const auto advection : {upwind, van_albada})
+          if (dim < 3) all.push_back({dim, friction, temperature, advection});
+    for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible})
       for (const Combination& c :
            {Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, upwind},
             Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, van_albada},
@@ -46,6 +47,7 @@ inline std::vector<Combination> combinations() {
             Combination{dim, FrictionModel::relaxed, TemperatureModel::constant, van_albada},
             Combination{dim, FrictionModel::critical_state, TemperatureModel::constant, upwind},
             Combination{dim, FrictionModel::none, TemperatureModel::algebraic, van_albada}}) {
+        if (gas == GasModel::none && dim < 3) continue;
         all.push_back(c);
         all.back().gas = gas;
       }

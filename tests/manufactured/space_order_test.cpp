@@ -79,10 +79,11 @@ ProblemSetup setup_of(const SpaceCase& c, const ExactFields& exact, int cells) {
   return setup;
 }
 
-/// 64 cells in the plane where the gas has inertia, for there all balances are; the others show the same orders on half
-/// as many. Not so `instantaneous` friction.
+/// 64 cells in the plane beside sides where the gas has inertia, for there all balances are, and with `instantaneous`
+/// friction; the others show the same orders on half as many.
 int finest(const SpaceCase& c) {
-  const bool half = c.dim == 2 && c.gas != GasModel::incompressible && c.friction != FrictionModel::instantaneous;
+  const bool whole = c.tests_side && c.gas == GasModel::incompressible;
+  const bool half = c.dim == 2 && !whole && c.friction != FrictionModel::instantaneous;
   PetscInt cells = half ? 32 : 64;
   check(PetscOptionsGetInt(nullptr, nullptr, "-finest", &cells, nullptr));
   if (c.dim == 1) return static_cast<int>(4 * cells);

@@ -13,11 +13,11 @@ COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0
               "boundary_wall_x_patch": "0, 4 cm, 2 cm, 12 cm", "boundary_wall_y_patch": "0, 4 cm, 2 cm, 12 cm"}
 # Layout: case, options, end of a run with free steps [s], Krylov iterations a linear system there, at most.
 LAYOUTS = {
-    "plane, none": ("small_bin.yaml", {}, 0.01, 8),
-    "plane, none, fluidity": ("small_bin.yaml", {"friction_coefficient": "fluidity"}, 0.01, 8),
-    "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.01, 8),
-    "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.01, 8),
-    "space, none": ("../benchmark/bin_3d.yaml", COARSE_BOX, 0.01, 8),
+    "plane, none": ("small_bin.yaml", {}, 0.006, 8),
+    "plane, none, fluidity": ("small_bin.yaml", {"friction_coefficient": "fluidity"}, 0.006, 8),
+    "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.006, 8),
+    "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.006, 8),
+    "space, none": ("../benchmark/bin_3d.yaml", COARSE_BOX, 0.006, 8),
 }
 TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 2e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,
          "snes_stol": 1e-12, "ksp_rtol": 1e-8}
