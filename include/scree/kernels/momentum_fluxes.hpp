@@ -92,8 +92,19 @@ struct NormalMomentumFlux {
     const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
     Number carried;
     if constexpr (Phase::second_order) {
-      const AdvectionMetrics h = face_metrics(scene, axis, I, scene.barrier(axis, I), scene.barrier(axis, I + e));
-      carried = limited_upwind(F, q(Phase::velocity(axis), -1 * e), below, above, q(Phase::velocity(axis), 2 * e), h);
+      const bool at_lower = scene.barrier(axis, I), at_upper = scene.barrier(axis, I + e);
+      const AdvectionMetrics h = face_metrics(scene, axis, I, at_lower, at_upper);
+      const Number &far_below = q(Phase::velocity(axis), -1 * e), &far_above = q(Phase::velocity(axis), 2 * e);
+      carried = along_slope(
+          F, below, above, h,
+          [&](const Number& middle) {
+            if (at_lower && Phase::brings(scene.kind(axis, I))) return middle;  // what comes in is given at the face
+            return van_albada(Number((below - far_below) / h.far_lower), middle);
+          },
+          [&](const Number& middle) {
+            if (at_upper && Phase::brings(scene.kind(axis, I + e))) return middle;
+            return van_albada(middle, Number((far_above - above) / h.far_upper));
+          });
     } else {
       carried = upwind(F, below, above);
     }
@@ -202,14 +213,37 @@ struct CrossMomentumFlux {
     return face_mean(scene, axis, I, half(-1 * a), half({}));
   }
 
+  /// Whether both halves of the edge's side at `face` bring in a velocity of their own.
+  static bool comes_in(const Scene& scene, const Index& face) {
+    const auto brings = [&](const Index& half) {
+      return scene.barrier(across, half) && Phase::brings(scene.kind(across, half));
+    };
+    return brings(face) && brings(face - a);
+  }
+  static double brought_at(const Scene& scene, const Index& face) {
+    return face_mean(scene, axis, face, Phase::brought(scene, axis, across, face - a),
+                     Phase::brought(scene, axis, across, face));
+  }
   /// The velocity that the flux F carries between two cells.
   template <class Number>
   static Number carried(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
                         const Number& F) {
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
     if constexpr (Phase::second_order) {
-      return limited_upwind(F, q(Phase::velocity(axis), -2 * b), below, above, q(Phase::velocity(axis), b),
-                            cell_metrics(scene, across, I));
+      const AdvectionMetrics h = cell_metrics(scene, across, I);
+      const Number &far_below = q(Phase::velocity(axis), -2 * b), &far_above = q(Phase::velocity(axis), b);
+      return along_slope(
+          F, below, above, h,
+          [&](const Number& middle) {
+            if (comes_in(scene, I - b))
+              return van_albada(Number((below - brought_at(scene, I - b)) / h.lower_reach), middle);
+            return van_albada(Number((below - far_below) / h.far_lower), middle);
+          },
+          [&](const Number& middle) {
+            if (comes_in(scene, I + b))
+              return van_albada(middle, Number((brought_at(scene, I + b) - above) / h.upper_reach));
+            return van_albada(middle, Number((far_above - above) / h.far_upper));
+          });
     } else {
       return upwind(F, below, above);
     }

@@ -23,7 +23,7 @@ template <class L, bool SecondOrder, class Balance, class Number, class Q>
     return box_is_above ? above : below;
   }
   if constexpr (SecondOrder) {
-    return limited_upwind(F, q(component, -2 * e), below, above, q(component, e), cell_metrics(scene, axis, I));
+    return carried_through(scene, axis, I, Balance::unknown, F, q(component, -2 * e), below, above, q(component, e));
   } else {
     return upwind(F, below, above);
   }

@@ -16,6 +16,38 @@ constexpr void add_solids_flux_inputs(StencilBuilder& s, int axis, const Index& 
     s.add(L::nu, at + reach * unit(axis));
 }
 
+/// The slope along `axis` of a quantity of the particles in a cell, out of whose face `End end` it is carried. `own`:
+/// its value there, `far`: that in the cell beyond the other face, `far_distance` away, `middle`: the slope across
+/// `end`. Beside an inlet the far value is the one that is brought in; beside other sides there is none.
+template <class Number>
+Number slope_in_cell(const Scene& scene, int axis, const Index& cell, End end, const Unknown& unknown,
+                     const Number& own, const Number& far, double far_distance, const Number& middle) {
+  const double sign = end == End::upper ? 1 : -1;
+  const Index far_face = end == End::upper ? cell : cell + unit(axis);
+  if (!scene.barrier(axis, far_face)) return van_albada(Number(sign * (own - far) / far_distance), middle);
+  const double reach = 0.5 * scene.axis(axis).width(cell[axis]);
+  const Condition& condition = scene.condition(axis, far_face);
+  if (condition.kind.brings_solids())
+    return van_albada(Number(sign * (own - condition.brought(unknown)) / reach), middle);
+  return one_sided_slope(middle, Number((own < 0.0 ? Number(-own) : own) / reach));
+}
+
+/// The value of a quantity of the particles that a flow carries through the lower `axis` face of I, which is no
+/// barrier, to second order. `far_lower` to `far_upper`: its values in the cells I - 2 to I + 1 along the axis.
+template <class Flow, class Number>
+Number carried_through(const Scene& scene, int axis, const Index& I, const Unknown& unknown, const Flow& flow,
+                       const Number& far_lower, const Number& lower, const Number& upper, const Number& far_upper) {
+  const AdvectionMetrics h = cell_metrics(scene, axis, I);
+  const auto slope = [&](const Index& cell, End end, const Number& own, const Number& far, double far_distance,
+                         const Number& middle) {
+    return slope_in_cell(scene, axis, cell, end, unknown, own, far, far_distance, middle);
+  };
+  return along_slope(
+      flow, lower, upper, h,
+      [&](const Number& middle) { return slope(I - unit(axis), End::upper, lower, far_lower, h.far_lower, middle); },
+      [&](const Number& middle) { return slope(I, End::lower, upper, far_upper, h.far_upper, middle); });
+}
+
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
 [[gnu::always_inline]] inline auto solids_flux(const Scene& scene, const Index& I, const Q& q, int axis,
@@ -32,15 +64,16 @@ template <class L, bool SecondOrder, class Q>
     return inflow ? Number(v * brought) : SolidsContinuity::flux(v, q(L::nu, above ? at : at - e));
   }
   if constexpr (SecondOrder) {
-    return SolidsContinuity::flux(v, limited_upwind(v, q(L::nu, at - 2 * e), q(L::nu, at - e), q(L::nu, at),
-                                                    q(L::nu, at + e), cell_metrics(scene, axis, face)));
+    return SolidsContinuity::flux(
+        v, carried_through(scene, axis, face, SolidsContinuity::unknown, v, q(L::nu, at - 2 * e), q(L::nu, at - e),
+                           q(L::nu, at), q(L::nu, at + e)));
   } else {
     return SolidsContinuity::flux(v, upwind(v, q(L::nu, at - e), q(L::nu, at)));
   }
 }
 
 /// Where a cell-centred input at `from` + reach e_axis (reach -2 ... 1 about the lower face of anchor + from) is read:
-/// a value beyond a barrier is that of the nearest cell before it, i.e. no slope across barriers.
+/// not beyond a barrier but in the nearest cell before it.
 inline Reference cell_before_barrier(const Scene& scene, const Index& I, int axis, const Index& from, int reach) {
   const Index e = unit(axis);
   if (reach == -2 && scene.barrier(axis, I + from - e)) reach = -1;

@@ -32,6 +32,30 @@ TEST(VanAlbada, DerivativesMatchDifferences) {
   }
 }
 
+TEST(OneSidedSlope, IsTheSlopeToSecondOrderAndNeverEmptiesACell) {
+  for (const double slope : {2.0, -2.0}) {
+    const double coarse = one_sided_slope(slope, 3 / 0.1) - slope, fine = one_sided_slope(slope, 3 / 0.05) - slope;
+    EXPECT_NEAR(coarse / fine, 2, 0.1) << "an error in proportion to the reach, which multiplies it once more";
+  }
+  for (double slope = 1e-3; slope < 1e5; slope *= 3) {
+    EXPECT_LE(one_sided_slope(slope, 5.0), 1.21 * 5.0) << slope;
+    EXPECT_DOUBLE_EQ(one_sided_slope(-slope, 5.0), -one_sided_slope(slope, 5.0));
+  }
+  EXPECT_EQ(one_sided_slope(7.0, 0.0), 0.0) << "an empty cell";
+  EXPECT_EQ(one_sided_slope(0.0, 0.0), 0.0);
+}
+
+TEST(OneSidedSlope, DerivativesMatchDifferences) {
+  for (const auto& [slope, steepest] : {std::pair(1.0, 2.0), std::pair(-3.0, 0.2)}) {
+    const auto result = one_sided_slope(Dual<2>::variable(slope, 0), Dual<2>::variable(steepest, 1));
+    const double h = 1e-6;
+    EXPECT_NEAR(result.derivative[0],
+                (one_sided_slope(slope + h, steepest) - one_sided_slope(slope - h, steepest)) / (2 * h), 1e-8);
+    EXPECT_NEAR(result.derivative[1],
+                (one_sided_slope(slope, steepest + h) - one_sided_slope(slope, steepest - h)) / (2 * h), 1e-8);
+  }
+}
+
 TEST(Upwind, TakesTheUpstreamSideAndTheLowerOneAtRest) {
   EXPECT_EQ(upwind(1.0, 3.0, 4.0), 3);
   EXPECT_EQ(upwind(-1.0, 3.0, 4.0), 4);
