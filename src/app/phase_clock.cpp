@@ -4,6 +4,8 @@
 #include <petscts.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "scree/output/errors.hpp"
 
 namespace scree {
@@ -30,7 +32,7 @@ PhaseClock::PhaseClock(MPI_Comm comm) : comm_(comm), started_(MPI_Wtime()) {
   start_ = now();
 }
 
-std::array<double, 5> PhaseClock::now() const {
+PhaseClock::Reading PhaseClock::now() const {
   std::array<double, 4> seconds{};
   for (std::size_t k = 0; k < events_.size(); ++k) {
     PetscEventPerfInfo info{};
@@ -38,12 +40,17 @@ std::array<double, 5> PhaseClock::now() const {
     seconds[k] = info.time;
   }
   // SNESSolve contains the others; KSPSolve would contain the set-ups of smoothers, but not that of the whole.
-  return {cpu_seconds(), seconds[0], seconds[1], seconds[2], seconds[3] - seconds[0] - seconds[1] - seconds[2]};
+  return {MPI_Wtime(),
+          cpu_seconds(),
+          {seconds[0], seconds[1], seconds[2], seconds[3] - seconds[0] - seconds[1] - seconds[2]}};
 }
 
 PhaseSeconds PhaseClock::read() const {
-  auto seconds = now();
-  for (std::size_t k = 1; k < seconds.size(); ++k) seconds[k] -= start_[k];
+  const Reading reading = now();
+  const double wall = reading.wall - start_.wall, cpu = reading.cpu - start_.cpu;
+  const double ran = wall > 0 ? std::min(cpu / wall, 1.0) : 1;
+  std::array<double, 5> seconds{reading.cpu};
+  for (std::size_t k = 0; k < reading.phases.size(); ++k) seconds[k + 1] = ran * (reading.phases[k] - start_.phases[k]);
   MPI_Allreduce(MPI_IN_PLACE, seconds.data(), static_cast<int>(seconds.size()), MPI_DOUBLE, MPI_SUM, comm_);
   return {seconds[0], seconds[1], seconds[2], seconds[3], seconds[4]};
 }

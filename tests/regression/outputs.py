@@ -54,6 +54,8 @@ def check_columns(checks, run):
     checks.equal("columns without unit or text", [name for name, c in columns.items() if not c["unit"] or not c["text"]], [])
     for name in ("cpu_seconds", "cpu_residual", "cpu_jacobian", "cpu_setup", "cpu_solve"):
         checks.above(f"least {name}", run.monitor[name].min(), 0)
+    parts = sum(run.monitor[name] for name in ("cpu_residual", "cpu_jacobian", "cpu_setup", "cpu_solve"))
+    checks.above("cpu_seconds less its parts, least", (run.monitor["cpu_seconds"] - parts).min(), 0)
 
 
 def check_moved(checks, program, run):

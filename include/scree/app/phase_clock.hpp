@@ -7,7 +7,8 @@
 
 namespace scree {
 
-/// Seconds summed over the ranks: since the start of the program, phases since start_phases().
+/// CPU seconds summed over the ranks: since the start of the program, phases since start_phases(). PETSc knows the
+/// phases by the clock on the wall: what other programs took of it is shared out among them.
 struct PhaseSeconds {
   double cpu = 0;       ///< user and system
   double residual = 0;  ///< evaluations of the residual
@@ -28,11 +29,15 @@ class PhaseClock {
   double peak_memory_per_rank() const;  ///< collective; greatest resident set of a rank so far [byte]
 
  private:
-  std::array<double, 5> now() const;
+  struct Reading {
+    double wall = 0, cpu = 0;
+    std::array<double, 4> phases{};  ///< by the clock on the wall
+  };
+  Reading now() const;
   MPI_Comm comm_;
   double started_;
   std::array<PetscLogEvent, 4> events_{};
-  std::array<double, 5> start_{};
+  Reading start_;
 };
 
 }  // namespace scree
