@@ -11,30 +11,52 @@ import argparse
 import csv
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
 import scree
 from scree import program
 
 ROOT = Path(__file__).resolve().parents[1]
-PRESETS = ("direct", "ilu", "multigrid", "fieldsplit")
+PRESETS = ("direct", "ilu", "multigrid", "fieldsplit", "condensed")
 #: Changes of presets.
 VARIANTS = {
     "asm": ("ilu", "-pc_type", "asm", "-pc_asm_overlap", "1"),
     "filled": ("fieldsplit", "-fieldsplit_0_sub_pc_factor_levels", "1"),
+    "ilu0": ("ilu", "-sub_pc_factor_levels", "0"),
+    "condensed_gamg": ("condensed", "-condensed_core_pc_type", "gamg", "-condensed_core_pc_gamg_type", "agg",
+                       "-condensed_core_pc_gamg_agg_nsmooths", "0", "-condensed_core_pc_gamg_coarse_eq_limit", "5000",
+                       "-condensed_core_mg_levels_ksp_type", "gmres", "-condensed_core_mg_levels_ksp_max_it", "2",
+                       "-condensed_core_mg_levels_pc_type", "bjacobi", "-condensed_core_mg_levels_sub_pc_type", "ilu"),
 }
 STEPS = (1e-3, 1e-2)
 RANKS = (2, 4, 8, 16)
-# Scene: case file, time of the state [s], refinements.
-SCENES = {
-    "bin_plateau": ("cases/bin_discharge/coarse.yaml", 0.45, (1, 2, 4, 8)),
-    "bin_start": ("cases/bin_discharge/coarse.yaml", 0.02, (1, 2)),
-    "fine_bin_air": ("cases/bin_discharge_fine/case.yaml", 0.6, (1, 2)),
-    "bubble": ("cases/bubble_rise/paper.yaml", 0.3, (1, 2)),
-    "bin_3d": ("tests/benchmark/bin_3d.yaml", 0.15, (1, 2)),
+
+
+class State(NamedTuple):
+    """What a run has reached. A state on a finer grid starts from the one that it names, and runs on for a while."""
+
+    case: str
+    time: float  # of the run [s]
+    options: dict = {}
+    start: str = ""  # the state that it starts from
+
+
+FINER = {"grid_refine": 2, "initial_before_order": 9}
+STATES = {
+    "bin_start": State("cases/bin_discharge/case.yaml", 0.02),
+    "bin": State("cases/bin_discharge/case.yaml", 0.4),
+    "bin_twice": State("cases/bin_discharge/case.yaml", 0.03, FINER, "bin"),
+    "bin_paper_grid": State("cases/bin_discharge/paper.yaml", 0.03, {"initial_before_order": 9}, "bin"),
+    "bin_rigid": State("cases/bin_discharge/best.yaml", 0.3),
+    "fine_bin_air": State("cases/bin_discharge_fine/case.yaml", 0.3),
+    "bubble": State("cases/bubble_rise/paper.yaml", 0.1),
+    "bin_3d": State("cases/bin_3d/case.yaml", 0.3),
+    "bin_3d_twice": State("cases/bin_3d/case.yaml", 0.03, FINER, "bin_3d"),
 }
-RANK_SCENES = ("bin_plateau", "fine_bin_air")
-GAS_SCENES = ("fine_bin_air", "bubble")
-KEY = ("scene", "refine", "dt", "ranks", "preset")
+IN_SPACE = ("bin_3d", "bin_3d_twice")
+RANK_STATES = ("bin_twice", "bin_3d_twice")
+GAS_STATES = ("fine_bin_air", "bubble")
+KEY = ("state", "dt", "ranks", "preset")
 
 
 def arguments():
@@ -46,22 +68,21 @@ def arguments():
     return parser.parse_args()
 
 
-def solvers(scene, ranks):
-    """Presets, and their variants where they differ: an overlap between ranks, fill with gas."""
-    return [*PRESETS, *["asm"] * (ranks > 1), *["filled"] * (scene in GAS_SCENES)]
+def solvers(state, ranks):
+    """Presets, and their variants where they differ: an overlap between ranks, fill with gas, the core in space."""
+    return [*PRESETS, *["asm"] * (ranks > 1), *["filled"] * (state in GAS_STATES),
+            *["ilu0", "condensed_gamg"] * (state in IN_SPACE)]
 
 
 def systems():
-    """Keys of all systems, small ones first: grid x step x solver on one rank, ranks at refinement 2."""
-    keys = [(scene, refine, dt, 1, solver)
-            for scene, (_, _, refinements) in SCENES.items() for refine in refinements
-            for dt in STEPS for solver in solvers(scene, 1)]
-    keys += [(scene, 2, 1e-2, ranks, solver) for scene in RANK_SCENES for ranks in RANKS for solver in solvers(scene, ranks)]
-    return sorted(keys, key=lambda key: (key[1], key[3]))
+    """Keys of all systems: state x step x solver on one rank, two states on several."""
+    keys = [(state, dt, 1, solver) for state in STATES for dt in STEPS for solver in solvers(state, 1)]
+    return keys + [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS
+                   for solver in solvers(state, ranks)]
 
 
 def key_of(row):
-    return row["scene"], int(row["refine"]), float(row["dt"]), int(row["ranks"]), row["preset"]
+    return row["state"], float(row["dt"]), int(row["ranks"]), row["preset"]
 
 
 def rows_of(path):
@@ -71,23 +92,25 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
-def make_state(given, scene):
-    """Output directory of the run up to the state of a scene; the run is made if it is not there."""
-    case, time, _ = SCENES[scene]
-    directory = given.work / scene
+def make_state(given, name):
+    """Output directory of the run up to a state; the run is made if it is not there."""
+    state, directory = STATES[name], given.work / name
     if not (directory / "summary.json").exists():
-        scree.run(ROOT / case, 1, given.build / "bin" / "scree", end_time=time, output_dir=directory,
-                  output_overwrite=True)
+        options = dict(state.options)
+        if state.start:
+            options["initial_before_run"] = make_state(given, state.start)
+        scree.run(ROOT / state.case, 1, given.build / "bin" / "scree", end_time=state.time, output_dir=directory,
+                  output_overwrite=True, **options)
     return directory
 
 
 def solve(given, key):
     """The row of a system; its reason is `limit` or `failed` where no line came."""
-    scene, refine, dt, ranks, preset = key
-    row = dict(zip(KEY, (scene, refine, dt, ranks, preset)))
+    state, dt, ranks, preset = key
+    row = dict(zip(KEY, key))
     solver, *more = VARIANTS.get(preset, (preset,))
-    command = [*program.launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, scene), "-refine", str(refine),
-               "-dt", str(dt), "-solver", solver, "-scene", scene, "-header", *more]
+    command = [*program.launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, state),
+               "-dt", str(dt), "-solver", solver, "-scene", state, "-header", *more]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=given.limit,
                               env=program.environment())
@@ -119,12 +142,13 @@ def table(rows):
     found = {key_of(row): row for row in rows}
     columns = (*PRESETS, *VARIANTS)
     lines = ["iterations to the preset's tolerance (to 1e-5) / CPU seconds of set-up on a known pattern + solution", "",
-             "| scene | grid | dt | ranks | " + " | ".join(columns) + " |", "|---" * (4 + len(columns)) + "|"]
-    for start in sorted({key[:4] for key in found}):
+             "| state | grid | dt | ranks | " + " | ".join(columns) + " |", "|---" * (4 + len(columns)) + "|"]
+    order = list(STATES)
+    for start in sorted({key[:3] for key in found}, key=lambda start: (start[2], order.index(start[0]), start[1])):
         of_line = [found.get((*start, preset)) for preset in columns]
-        grid = next((row["grid"] for row in of_line if row and row.get("grid")), f"x{start[1]}")
+        grid = next((row["grid"] for row in of_line if row and row.get("grid")), "")
         entries = [entry(row) if row else "" for row in of_line]
-        lines.append("| " + " | ".join([start[0], grid, f"{start[2]:g}", str(start[3]), *entries]) + " |")
+        lines.append("| " + " | ".join([start[0], grid, f"{start[1]:g}", str(start[2]), *entries]) + " |")
     return "\n".join(lines) + "\n"
 
 

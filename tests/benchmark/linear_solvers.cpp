@@ -29,6 +29,7 @@
 #include "scree/stepping/orderings.hpp"
 #include "scree/stepping/petsc_versions.hpp"
 #include "scree/stepping/presets.hpp"
+#include "scree/stepping/staggered_multigrid.hpp"
 
 namespace scree::test {
 namespace {
@@ -330,6 +331,7 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   const char* preset = name_of(scene.solver.preset);
   check(register_orderings());
   check(register_condensed_preconditioner());
+  check(register_staggered_multigrid());
   ScopedOptions of_preset;
   int ranks, cells = 1;
   MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
