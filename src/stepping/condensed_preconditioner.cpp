@@ -92,6 +92,7 @@ class CondensedPreconditioner {
     PetscCall(condensation_->create(matrix, eliminated));
     PetscCall(create_solver(pc, prefix, "condensed_core_", condensation_->core(), &core_));
     PetscCall(create_solver(pc, prefix, "condensed_rest_", condensation_->rest(), &rest_));
+    PetscCall(give_grid(pc, core_));
     PetscCall(MatCreateVecs(condensation_->core(), &x_core_, &y_core_));
     PetscCall(MatCreateVecs(condensation_->rest(), &x_rest_, &y_rest_));
     PetscFunctionReturn(0);
@@ -108,6 +109,17 @@ class CondensedPreconditioner {
     PetscCall(KSPAppendOptionsPrefix(*solver, own));
     PetscCall(KSPSetOperators(*solver, matrix, matrix));
     PetscCall(KSPSetFromOptions(*solver));
+    PetscFunctionReturn(0);
+  }
+
+  /// For preconditioners that need to know the nodes; the solver has its matrix and asks the grid for nothing.
+  static PetscErrorCode give_grid(PC pc, KSP solver) {
+    PetscFunctionBeginUser;
+    DM dm;
+    PetscCall(PCGetDM(pc, &dm));
+    if (!dm) PetscFunctionReturn(0);
+    PetscCall(KSPSetDM(solver, dm));
+    PetscCall(KSPSetDMActive(solver, PETSC_FALSE));
     PetscFunctionReturn(0);
   }
 

@@ -13,10 +13,7 @@ double factor_growth(double cells, double measured_cells, int ranks) {
 }
 
 std::vector<SolverCandidate> without_gas(int dim, double cells, int ranks) {
-  if (dim == 3)
-    return {{SolverPreset::ilu, 0, 12, 1, 5, 1},
-            {SolverPreset::condensed, 0, 10, 1.2, 8, 0.35, true},
-            {SolverPreset::multigrid, 0, 15, 1.7, 8, 0.35}};
+  if (dim == 3) return {{SolverPreset::ilu, 0, 4.5, 1, 5, 1}, {SolverPreset::condensed, 0, 10, 2.2, 5, 0.35, true}};
   const double growth = factor_growth(cells, 2500, ranks);
   return {{SolverPreset::ilu, 0, 3, 1, 5, 1},
           {SolverPreset::condensed, 0, 18 * growth, 2.7 * std::sqrt(growth), 4, 0.35, true},
@@ -24,13 +21,13 @@ std::vector<SolverCandidate> without_gas(int dim, double cells, int ranks) {
 }
 
 std::vector<SolverCandidate> with_gas(int dim, double cells, int ranks) {
+  if (dim == 3)
+    return {{SolverPreset::fieldsplit, 0, 13, 1, 8, 0.35}, {SolverPreset::condensed, 0, 17, 2.4, 5, 0.35, true}};
   const double growth = factor_growth(cells, 5000, ranks);
-  const bool factored = dim < 3;
-  return {
-      {SolverPreset::fieldsplit, 0, 10, 1, 8, 0.35},
-      {SolverPreset::fieldsplit, 1, 16, 1.2, 8, 0.35},
-      {SolverPreset::multigrid, 0, 22, 2.2, 15, 0.35},
-      {SolverPreset::condensed, 0, factored ? 80 * growth : 20, factored ? 7 * std::sqrt(growth) : 2, 6, 0.35, true}};
+  return {{SolverPreset::fieldsplit, 0, 10, 1, 8, 0.35},
+          {SolverPreset::fieldsplit, 1, 16, 1.2, 8, 0.35},
+          {SolverPreset::multigrid, 0, 22, 2.2, 15, 0.35},
+          {SolverPreset::condensed, 0, 80 * growth, 7 * std::sqrt(growth), 6, 0.35, true}};
 }
 
 }  // namespace

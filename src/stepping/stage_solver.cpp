@@ -7,6 +7,7 @@
 #include "scree/stepping/orderings.hpp"
 #include "scree/stepping/petsc_versions.hpp"
 #include "scree/stepping/remainder.hpp"
+#include "scree/stepping/staggered_multigrid.hpp"
 
 namespace scree {
 
@@ -41,6 +42,7 @@ PetscErrorCode StageSolver::create_newton() {
   PetscFunctionBeginUser;
   PetscCall(register_orderings());
   PetscCall(register_condensed_preconditioner());
+  PetscCall(register_staggered_multigrid());
   PetscCall(SNESDestroy(&newton_));
   PetscCall(SNESCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem_.dm())), &newton_));
   PetscCall(SNESSetOptionsPrefix(newton_, prefix_.c_str()));

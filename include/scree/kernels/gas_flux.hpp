@@ -32,12 +32,12 @@ auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const In
   using Number = std::decay_t<decltype(q(L::nu))>;
   const Index face = I + at;
   if (closed_to_gas(scene, axis, face)) return Number(0.0);
+  if (scene.barrier(axis, face) && scene.kind(axis, face).brings_gas())
+    return Number(given_gas_flux(scene, axis, face));
   const Number nu = face_solids_fraction<L>(scene, I, q, axis, at);
   if constexpr (L::has_u) {
     return GasContinuity::flux(nu, q(L::u(axis), at));
   } else {
-    if (scene.barrier(axis, face) && scene.kind(axis, face).brings_gas())
-      return Number(given_gas_flux(scene, axis, face));
     const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
     const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
     const Number mobility = through(

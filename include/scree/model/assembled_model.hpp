@@ -69,7 +69,8 @@ class AssembledModel final : public Model {
     each_constraint(assembly_.scene, [&](const Constraint& c) {
       const int row = assembly_.owned_unknown(c.component, c.node);
       sink.entry(row, assembly_.ghosted_unknown(c.component, c.node));
-      if (c.kind == Constraint::superficial) sink.entry(row, assembly_.ghosted_unknown(L::nu, c.neighbour));
+      if (c.kind != Constraint::superficial) return;
+      for (const Index& cell : c.cells) sink.entry(row, assembly_.ghosted_unknown(L::nu, cell));
     });
     each_pressure_row([&](int row, const Index& I) { sink.entry(row, assembly_.ghosted_unknown(L::p, I)); });
   }
@@ -84,8 +85,10 @@ class AssembledModel final : public Model {
     sweep(visitor);
     each_constraint(scene, [&](const Constraint& c) {
       if (c.kind == Constraint::superficial) {
-        visitor.put(1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]);
-        visitor.put(-state[assembly_.ghosted_unknown(c.component, c.node)]);
+        const SideFraction side = solids_fraction_at_side(c, state);
+        visitor.put(1 - side.value);
+        for (const double slope : side.slopes)
+          visitor.put(-slope * state[assembly_.ghosted_unknown(c.component, c.node)]);
         return;
       }
       visitor.put(c.kind == Constraint::freeze ? shift * assembly_.row_scale[L::nu] : 1.0);
@@ -109,7 +112,7 @@ class AssembledModel final : public Model {
     each_constraint(assembly_.scene.at(time), [&](const Constraint& c) {
       if (!L::is_u(c.component)) return;
       const bool superficial = c.kind == Constraint::superficial;
-      const double share = superficial ? 1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)] : 1;
+      const double share = superficial ? 1 - solids_fraction_at_side(c, state).value : 1;
       owned[assembly_.owned_unknown(c.component, c.node)] = c.value / share;
     });
   }
@@ -240,8 +243,16 @@ class AssembledModel final : public Model {
     enum Kind { fix, freeze, superficial } kind;
     int component;
     Index node;
-    double value = 0;   ///< fix: the stored value; superficial: (1-nu) times it
-    Index neighbour{};  ///< superficial: the cell before the side
+    double value = 0;                       ///< fix: the stored value; superficial: (1-nu) times it
+    std::array<Index, 2> cells{};           ///< superficial: the two before the side, whose nu ...
+    std::array<double, 2> weights{{1, 0}};  ///< ... with these weights is that at the side, ...
+    double brought = 0;                     ///< ... together with this
+  };
+
+  /// nu at a side, and its derivatives by that of the two cells before it.
+  struct SideFraction {
+    double value;
+    std::array<double, 2> slopes;
   };
 
   /// Stands as the diagonal of the rows of p_g in the Jacobian alone: factorisations want one, and where no side is
@@ -383,19 +394,45 @@ class AssembledModel final : public Model {
     if (condition.kind.brings_gas()) {
       result.kind = Constraint::superficial;
       result.value = given_gas_flux(scene, axis, result.node) / assembly_.scale[result.component];
-      result.neighbour = box_above(scene, axis, result.node) ? result.node : result.node - unit(axis);
+      put_solids_fraction(scene, condition, axis, result);
     } else if (condition.kind.gas_normal != GasNormal::zero) {
       result.value = condition.velocity[axis] / assembly_.scale[result.component];
     }
     return result;
   }
 
+  /// nu at an inlet is what it brings; at a side that brings gas alone that of the cell before it, to second order on
+  /// the line through the next one.
+  void put_solids_fraction(const Scene& scene, const Condition& condition, int axis, Constraint& c) const {
+    const bool above = box_above(scene, axis, c.node);
+    const Index inwards = (above ? 1 : -1) * unit(axis), before = above ? c.node : c.node - unit(axis);
+    c.cells = {before, before};
+    if (condition.kind.brings_solids()) {
+      c.weights = {0, 0};
+      c.brought = condition.brought(SolidsContinuity::unknown);
+    } else if (SecondOrder && scene.inside(before + inwards) &&
+               !setup_.barriers.at(axis, above ? before + inwards : before)) {
+      const double width = scene.axis(axis).width(before[axis]),
+                   next = scene.axis(axis).width(before[axis] + inwards[axis]);
+      c.cells[1] = before + inwards;
+      c.weights = {1 + width / (width + next), -width / (width + next)};
+    }
+  }
+
+  /// The line may lead to where no nu can be.
+  SideFraction solids_fraction_at_side(const Constraint& c, const double* state) const {
+    double nu = c.brought;
+    for (std::size_t k = 0; k < 2; ++k) nu += c.weights[k] * state[assembly_.ghosted_unknown(L::nu, c.cells[k])];
+    if (nu < 0) return {0, {0, 0}};
+    if (nu > setup_.solids.kinetic.nu_max) return {setup_.solids.kinetic.nu_max, {0, 0}};
+    return {nu, c.weights};
+  }
+
   double constraint_value(const Constraint& c, const double* state, const double* rate) const {
     const double here = state[assembly_.ghosted_unknown(c.component, c.node)];
     if (c.kind == Constraint::freeze)
       return assembly_.row_scale[L::nu] * rate[assembly_.ghosted_unknown(c.component, c.node)];
-    if (c.kind == Constraint::superficial)
-      return (1 - state[assembly_.ghosted_unknown(L::nu, c.neighbour)]) * here - c.value;
+    if (c.kind == Constraint::superficial) return (1 - solids_fraction_at_side(c, state).value) * here - c.value;
     return here - c.value;
   }
 

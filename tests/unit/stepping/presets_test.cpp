@@ -54,7 +54,7 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
   check(options.set("", preset_options(SolverPreset::fieldsplit, with_gas)));
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "ilu");
   check(options.set("", preset_options(SolverPreset::multigrid, with_gas)));
-  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
+  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "staggered");
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   check(options.clear());
@@ -115,12 +115,12 @@ TEST_F(Presets, CondensedWithNothingToEliminateIsItsCore) {
   EXPECT_EQ(option(in_plane, "pc_factor_mat_solver_type"), "mumps");
   EXPECT_EQ(
       option(preset_options(SolverPreset::condensed, Layout<3, false, false, GasModel::none>::fields({})), "pc_type"),
-      "gamg");
+      "staggered");
 }
 
 TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "condensed_core_pc_type"), "lu");
-  EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "gamg");
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "staggered");
   const PetscOptionList on_four = preset_options(SolverPreset::condensed, without_gas, 4);
   EXPECT_EQ(option(on_four, "condensed_core_pc_type"), "telescope");
   EXPECT_EQ(option(on_four, "condensed_core_pc_telescope_reduction_factor"), "4");
