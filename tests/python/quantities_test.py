@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from scree import bubble_rise, output, quantities
+from scree import bed_3d, bubble_rise, output, quantities
 
 RADIUS, HEIGHT = 0.05, 0.2  # of the bubble in the middle [m]
 SURFACE = 0.4
@@ -40,6 +40,27 @@ class Bubble(unittest.TestCase):
         loops = quantities.closed_contours(*bubble_rise.full_width(fields(True)))
         widths = sorted(np.ptp(loop[:, 0]) for loop in loops)
         np.testing.assert_allclose(widths, [5, 10], atol=0.03)
+
+
+class BubbleInSpace(unittest.TestCase):
+    """A quarter of a bed with a round void on its axis, under a freeboard."""
+
+    def fields(self, radius, height):
+        faces = {"x": np.linspace(0, 0.04, 41), "y": np.linspace(0, 0.04, 41), "z": np.linspace(0, 0.24, 121)}
+        x, y, z = (output.centres(faces[axis]) for axis in "xyz")
+        distance = np.sqrt(x**2 + y[:, None] ** 2 + (z[:, None, None] - height) ** 2)
+        nu = np.where((distance < radius) | (z[:, None, None] > 0.12), 0.01, 0.58)
+        return {"solids_fraction": nu, **{f"{axis}_faces": places for axis, places in faces.items()}}
+
+    def test_its_place_and_the_volume_of_all_four_quarters(self):
+        ((bottom, top, volume),) = bed_3d.bubbles(self.fields(0.02, 0.06))
+        self.assertAlmostEqual(bottom, 4, delta=0.21)  # cm; cells of 0.2 cm along z
+        self.assertAlmostEqual(top, 8, delta=0.21)
+        self.assertAlmostEqual(volume, 4 / 3 * math.pi * 8, delta=0.5)
+        self.assertAlmostEqual(bed_3d.diameter(volume), 4, delta=0.03)
+
+    def test_what_has_broken_through_the_surface_is_none(self):
+        self.assertEqual(bed_3d.bubbles(self.fields(0.02, 0.11)), [])
 
 
 if __name__ == "__main__":
