@@ -90,14 +90,13 @@ int finest(const SpaceCase& c) {
   return static_cast<int>(c.dim == 2 ? cells : cells / 2);
 }
 
-/// Orders to be reached, where grids end below 128 cells and from there on. Upwind is of first order; so is gas that
-/// passes an inlet, with nu of the cell before it. Beside sides van Albada's scheme knows no slope across: it is of
-/// first order in the cells there, 1.5 in L2, which shows at inlets, and elsewhere on fine grids.
+/// Orders to be reached, where grids end below 128 cells and from there on. Upwind is of first order. Beside walls with
+/// shear the strain rate of the cells there is of first order, and T with it.
 double least_order(const SpaceCase& c) {
   const bool fine = finest(c) >= 128;
-  if (c.scheme == AdvectionScheme::upwind || c.kind == BoundaryKind::gas_inlet) return fine ? .95 : .8;
-  if (c.kind == BoundaryKind::inlet) return fine ? 1.42 : 1.2;
-  if (c.tests_side) return fine ? 1.42 : 1.7;
+  if (c.scheme == AdvectionScheme::upwind) return fine ? .95 : .8;
+  const bool sheared = c.kind == BoundaryKind::wall_no_slip || c.kind == BoundaryKind::wall_johnson_jackson;
+  if (c.tests_side && sheared) return fine ? 1.42 : 1.7;
   return fine ? 1.9 : 1.7;
 }
 

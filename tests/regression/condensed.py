@@ -11,13 +11,18 @@ COARSE_BUBBLE = {"grid_x_cells": "1, 6", "grid_y_edges": "0, 12 cm, 20 cm", "gri
 COARSE_BOX = {"grid_x_cells": "2, 4", "grid_y_cells": "2, 4", "grid_z_edges": "0, 2 cm, 12 cm", "grid_z_cells": "4, 8",
               "initial_fill_box": "0, 4 cm, 0, 4 cm, 2 cm, 9 cm",
               "boundary_wall_x_patch": "0, 4 cm, 2 cm, 12 cm", "boundary_wall_y_patch": "0, 4 cm, 2 cm, 12 cm"}
+BED = "../../cases/bed_3d/case.yaml"
+COARSE_BED = {"grid_x_cells": "1, 3", "grid_y_cells": "1, 3", "grid_z_edges": "0, 6 cm, 10 cm", "grid_z_cells": "6, 4",
+              "grid_z_ratio": "1, 1", "initial_bed_box": "0, 4 cm, 0, 4 cm, 0, 5 cm"}
+SEVERAL_GRIDS = {"condensed_core_pc_staggered_coarse_eq_limit": 200}  # so small a grid would be the coarsest
 # Layout: case, options, end of a run with free steps [s], Krylov iterations a linear system there, at most.
 LAYOUTS = {
     "plane, none": ("small_bin.yaml", {}, 0.006, 8),
     "plane, none, fluidity": ("small_bin.yaml", {"friction_coefficient": "fluidity"}, 0.006, 8),
     "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.006, 8),
     "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.006, 8),
-    "space, none": ("../benchmark/bin_3d.yaml", COARSE_BOX, 0.006, 8),
+    "space, none": ("../benchmark/bin_3d.yaml", {**COARSE_BOX, **SEVERAL_GRIDS}, 0.006, 8),
+    "space, incompressible": (BED, {**COARSE_BED, **SEVERAL_GRIDS}, 0.003, 8),
 }
 TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 2e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,
          "snes_stol": 1e-12, "ksp_rtol": 1e-8}
