@@ -54,7 +54,7 @@ TEST_F(Presets, OneTakesThePlaceOfAnotherButNotOfTheUsers) {
   check(options.set("", preset_options(SolverPreset::fieldsplit, with_gas)));
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "ilu");
   check(options.set("", preset_options(SolverPreset::multigrid, with_gas)));
-  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "staggered");
+  EXPECT_EQ(value("-fieldsplit_0_pc_type"), "gamg");
   EXPECT_EQ(value("-fieldsplit_0_sub_pc_type"), "(not set)");
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   check(options.clear());
