@@ -12,9 +12,9 @@ import csv
 import dataclasses
 import json
 import math
+import resource
 import shutil
 import subprocess
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -88,10 +88,10 @@ ANAND = Bin("anand", 6790, 12.544, 0.56, 2.5088, 0.224, 2.5, 0.2, 0.94, 0.9, sti
 #: A slice of the bin of Srivastava & Sundaresan (2003): their 1 mm grains between walls 8 cm apart, filled lower.
 PAPER_BIN = Bin("paper_bin", 45000, 8.0, 0.25, 1.4, 0.1, 2.9, 0.3, 0.91, 0.91, stiffness=1e6, settle=0.4, discharge=0.5,
                 window=(0.2, 0.5), rate_window=(0.2, 0.5))
+SOFT = dataclasses.replace(ANAND, name="anand_soft", stiffness=ANAND.stiffness / 4, discharge=0.75)
 BINS = {
-    "anand": (ANAND, dataclasses.replace(ANAND, name="anand_soft", stiffness=ANAND.stiffness / 4, discharge=0.75),
-              dataclasses.replace(ANAND, name="anand_rolling", rolling=0.1786, discharge=0.75),
-              dataclasses.replace(ANAND, name="anand_seed_2", seed=2, discharge=0.75)),
+    "anand": (ANAND, SOFT,
+              dataclasses.replace(SOFT, name="anand_soft_rolling", rolling=0.1786, discharge=2.4)),
     "paper_bin": (PAPER_BIN,),
 }
 
@@ -182,15 +182,16 @@ write_dump all custom end.dump x y z vx vy vz modify format float %.6g
 
 
 def run(silo, directory, command):
-    """Runs LAMMPS; leaves bin.json with the CPU seconds when it has ended well."""
+    """Runs LAMMPS; leaves bin.json with the CPU seconds that it took when it has ended well."""
     shutil.rmtree(directory, ignore_errors=True)
     directory.mkdir(parents=True)
     (directory / "grains.data").write_text(data_file(silo, grains(silo)))
     (directory / "bin.in").write_text(lammps_input(silo))
-    start = time.time()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     with open(directory / "screen", "w") as screen:
         subprocess.run([command, "-in", "bin.in"], cwd=directory, stdout=screen, stderr=subprocess.STDOUT, check=True)
-    (directory / "bin.json").write_text(json.dumps({**dataclasses.asdict(silo), "wall_seconds": time.time() - start}))
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    (directory / "bin.json").write_text(json.dumps({**dataclasses.asdict(silo), "cpu_seconds": seconds}))
 
 
 def is_done(silo, directory):
@@ -219,10 +220,10 @@ def frames(path):
 
 
 def nearest(screen, start):
-    """Smallest distance of two grains [cm], of the lines that LAMMPS writes from a step on."""
+    """Smallest distances of two grains [cm], of the lines that LAMMPS writes from a step on."""
     lines = (line.split() for line in Path(screen).read_text().splitlines())
-    return min(float(words[3]) for words in lines
-               if len(words) == 4 and words[0].isdigit() and words[1].isdigit() and int(words[0]) >= start)
+    return np.array([float(words[3]) for words in lines
+                     if len(words) == 4 and words[0].isdigit() and words[1].isdigit() and int(words[0]) >= start])
 
 
 class Fields:
@@ -304,17 +305,19 @@ class Measured:
         self.fields = Fields(silo, self.fill_height)
         nu, vx, vy, temperature = self.fields.mean(steady)
         self.flow = slot_flow.Flow(self.fields.x_faces, self.fields.y_faces, nu, vx, vy, temperature)
-        self.overlap = 1 - nearest(directory / "screen", start) / silo.diameter
+        overlaps = 1 - nearest(directory / "screen", start) / silo.diameter
+        self.overlap = overlaps.mean(), overlaps.max()  # of the greatest of all contacts, every FRAME seconds
         _, self.end = next(frames(directory / "end.dump"))
-        self.seconds = json.loads((directory / "bin.json").read_text())["wall_seconds"]
+        self.seconds = json.loads((directory / "bin.json").read_text()).get("cpu_seconds")
 
     def plug(self):
         """Speed of a plug over the whole width that has this rate [cm/s]."""
         return self.rate / (self.silo.density * self.fill_nu * self.silo.width * self.silo.depth)
 
-    def came_to_rest(self):
-        """Whether less than a thousandth of the grains left in the last tenth of the time."""
-        return self.mass[-1] - np.interp(0.9 * self.time[-1], self.time, self.mass) < 1e-3 * self.silo.count * self.silo.mass
+    def is_empty(self):
+        """Whether the run went on until hardly anything flows: less than a hundredth leaves in its last tenth."""
+        late = self.mass[-1] - np.interp(0.9 * self.time[-1], self.time, self.mass)
+        return late < 0.01 * self.silo.count * self.silo.mass
 
     def wedge(self):
         """Heights of what remains at the end over the cells along x > 0 [cm], at the solids fraction of the fill."""
@@ -333,12 +336,14 @@ class Measured:
             "C": f"{slot_flow.coefficient(self.rate / silo.depth, silo.density, self.fill_nu, silo.orifice):.3f}",
             "plug [cm/s]": f"{plug:.3f}", "corner / plug": f"{flow.corner() / plug:.2e}",
             "shoulder angle [deg]": f"{flow.line_angle(plug):.1f}",
+            "shoulder at 2 cm [cm]": f"{flow.line_at(plug, 2.0):.2f}",
             "shoulder height at the wall [cm]": f"{flow.height_at_wall(plug):.2f}",
             "nu in the orifice": f"{flow.in_orifice(flow.nu):.3f}", "nu over the orifice": f"{flow.above_orifice(flow.nu):.3f}",
             "T over the orifice [cm2/s2]": f"{flow.above_orifice(flow.temperature):.1f}",
-            "remaining [g]": f"{silo.mass * np.sum(self.end[:, 1] > 0):.2f}" if self.came_to_rest() else "",
-            "wedge angle [deg]": f"{slot_flow.wedge_angle(x, self.wedge(), silo.diameter):.1f}" if self.came_to_rest() else "",
-            "greatest overlap / d": f"{self.overlap:.4f}", "wall clock [s]": f"{self.seconds:.0f}",
+            "remaining [g]": f"{silo.mass * np.sum(self.end[:, 1] > 0):.2f}" if self.is_empty() else "",
+            "wedge angle [deg]": f"{slot_flow.wedge_angle(x, self.wedge(), silo.diameter):.1f}" if self.is_empty() else "",
+            "greatest overlap / d": f"{self.overlap[1]:.4f}", "mean greatest overlap / d": f"{self.overlap[0]:.4f}",
+            "cpu [s]": f"{self.seconds:.0f}" if self.seconds else "",
         }
 
 

@@ -80,6 +80,12 @@ class Flow:
         *_, directions = np.linalg.svd(points - points.mean(axis=0))
         return math.degrees(math.atan2(*(directions[0, ::-1] * np.sign(directions[0, 1]))))
 
+    def line_at(self, plug, height):
+        """Distance from the middle at which that line has a height [cm]; NaN where it does not reach it."""
+        points = self.line(plug)
+        reaches = len(points) > 1 and points[0, 1] <= height <= points[-1, 1]
+        return float(np.interp(height, points[:, 1], points[:, 0])) if reaches else float("nan")
+
     def height_at_wall(self, plug):
         """Height at which the speed in the last column passes SHOULDER times the plug's [cm]; 0: the whole column moves."""
         column = self.speed[self.floor:, -1] / plug

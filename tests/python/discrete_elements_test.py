@@ -28,6 +28,8 @@ class SlotFlow(unittest.TestCase):
         self.assertAlmostEqual(found.line_angle(1.0), ANGLE, delta=0.3)
         x, y = found.line(1.0).T
         np.testing.assert_allclose(x, 2 + y / math.tan(math.radians(ANGLE)), atol=0.01)
+        self.assertAlmostEqual(found.line_at(1.0, 1.5), 2 + 1.5 / math.tan(math.radians(ANGLE)), delta=0.01)
+        self.assertTrue(math.isnan(found.line_at(1.0, 5.0)))
         self.assertAlmostEqual(found.height_at_wall(1.0), (5.95 - 2) * math.tan(math.radians(ANGLE)), delta=0.03)
 
     def test_a_flow_that_moves_as_one_has_no_line(self):
