@@ -85,14 +85,11 @@ class Bin:
 #: 0.1786 is in Lethe's input (0.02 cm over the radius), not in its list of what the paper says.
 ANAND = Bin("anand", 6790, 12.544, 0.56, 2.5088, 0.224, 2.5, 0.2, 0.94, 0.9, stiffness=2e6, settle=0.7, discharge=2.4,
             window=(0.15, 0.45), rate_window=(0.07, 0.72))
-#: A slice of the bin of Srivastava & Sundaresan (2003): their 1 mm grains between walls 8 cm apart, filled lower.
-PAPER_BIN = Bin("paper_bin", 45000, 8.0, 0.25, 1.4, 0.1, 2.9, 0.3, 0.91, 0.91, stiffness=1e6, settle=0.4, discharge=0.5,
-                window=(0.2, 0.5), rate_window=(0.2, 0.5))
+#: Softer contacts, for what takes longer steps and for what stiffness changes.
 SOFT = dataclasses.replace(ANAND, name="anand_soft", stiffness=ANAND.stiffness / 4, discharge=0.75)
 BINS = {
     "anand": (ANAND, SOFT,
               dataclasses.replace(SOFT, name="anand_soft_rolling", rolling=0.1786, discharge=2.4)),
-    "paper_bin": (PAPER_BIN,),
 }
 
 
@@ -338,7 +335,8 @@ class Measured:
             "shoulder angle [deg]": f"{flow.line_angle(plug):.1f}",
             "shoulder at 2 cm [cm]": f"{flow.line_at(plug, 2.0):.2f}",
             "shoulder height at the wall [cm]": f"{flow.height_at_wall(plug):.2f}",
-            "nu in the orifice": f"{flow.in_orifice(flow.nu):.3f}", "nu over the orifice": f"{flow.above_orifice(flow.nu):.3f}",
+            "nu in the orifice": f"{flow.in_orifice(flow.nu):.3f}",
+            "nu over the orifice": f"{flow.above_orifice(flow.nu):.3f}",
             "T over the orifice [cm2/s2]": f"{flow.above_orifice(flow.temperature):.1f}",
             "remaining [g]": f"{silo.mass * np.sum(self.end[:, 1] > 0):.2f}" if self.is_empty() else "",
             "wedge angle [deg]": f"{slot_flow.wedge_angle(x, self.wedge(), silo.diameter):.1f}" if self.is_empty() else "",
@@ -389,7 +387,8 @@ def write_run(measured):
     silo = measured.silo
     every = slice(None, None, 10)  # 10 ms
     write(REFERENCE / f"mass_{silo.name}.csv", f"{source(silo)}; grains that are below the slot as a whole",
-          ["time [s]", "discharged [g]"], [(f"{t:.3f}", f"{m:.3f}") for t, m in zip(measured.time[every], measured.mass[every])])
+          ["time [s]", "discharged [g]"],
+          [(f"{t:.3f}", f"{m:.3f}") for t, m in zip(measured.time[every], measured.mass[every])])
     flow = measured.flow
     rows = [(f"{x:.4f}", f"{y:.4f}", f"{flow.nu[j, i]:.4f}", f"{flow.vx[j, i]:.4g}", f"{flow.vy[j, i]:.4g}",
              f"{flow.temperature[j, i]:.4g}") for j, y in enumerate(flow.y) for i, x in enumerate(flow.x)]

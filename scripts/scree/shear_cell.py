@@ -5,6 +5,7 @@
 Shears a periodic box of the spheres of Anand's bin with LAMMPS, at several solids fractions, each at a constant one. Writes
 cases/silo_anand/reference/shear_cell.csv: the ratio of stresses against the inertial number, means over the second half."""
 import argparse
+import dataclasses
 import math
 import shutil
 import subprocess
@@ -14,10 +15,11 @@ import numpy as np
 
 from scree.discrete_elements import ANAND, REFERENCE, TANGENTIAL, contact, write
 
-COUNT = 10  # spheres along each axis
-FRACTIONS = (0.56, 0.58, 0.59, 0.595, 0.60, 0.605)
+COUNT = 8  # spheres along each axis
+FRACTIONS = (0.56, 0.575, 0.585, 0.595, 0.605)
+ROLLING = (0.0, 0.1786)  # as in the runs of the bin
 RATE = 10.0  # of shear [1/s]
-STRAIN = 8.0
+STRAIN = 4.0
 COMPRESS = 0.1  # seconds in which the box shrinks to the solids fraction
 
 
@@ -63,6 +65,15 @@ run {shear}
 """
 
 
+def run(silo, fraction, directory, command):
+    """Runs LAMMPS; leaves the file `done` when it has ended well."""
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "shear.in").write_text(lammps_input(silo, fraction))
+    with open(directory / "screen", "w") as screen:
+        subprocess.run([command, "-in", "shear.in"], cwd=directory, stdout=screen, stderr=subprocess.STDOUT, check=True)
+    (directory / "done").touch()
+
+
 def row(silo, fraction, directory):
     """Means over the second half of the strain, and the error of the mean from eight parts of it."""
     values = np.loadtxt(directory / "stress.txt")
@@ -70,8 +81,8 @@ def row(silo, fraction, directory):
     shear, normal, mean = late.mean(axis=0)
     parts = np.array([p[:, 0].mean() / p[:, 2].mean() for p in np.array_split(late, 8)])
     inertial = RATE * silo.diameter * math.sqrt(silo.density / mean)
-    return [f"{fraction:g}", f"{mean:.4g}", f"{inertial:.4g}", f"{shear / mean:.4f}", f"{parts.std(ddof=1) / math.sqrt(8):.4f}",
-            f"{shear / normal:.4f}"]
+    return [f"{silo.rolling:g}", f"{fraction:g}", f"{mean:.4g}", f"{inertial:.4g}", f"{shear / mean:.4f}",
+            f"{parts.std(ddof=1) / math.sqrt(8):.4f}", f"{shear / normal:.4f}"]
 
 
 def main():
@@ -80,19 +91,18 @@ def main():
     parser.add_argument("--command", default=shutil.which("lmp") or "lmp", help="LAMMPS")
     given = parser.parse_args()
     rows = []
-    for fraction in FRACTIONS:
-        directory = given.work / f"{fraction:g}"
-        if not (directory / "stress.txt").exists():
-            directory.mkdir(parents=True, exist_ok=True)
-            (directory / "shear.in").write_text(lammps_input(ANAND, fraction))
-            with open(directory / "screen", "w") as screen:
-                subprocess.run([given.command, "-in", "shear.in"], cwd=directory, stdout=screen, stderr=subprocess.STDOUT,
-                               check=True)
-        rows.append(row(ANAND, fraction, directory))
+    for rolling in ROLLING:
+        silo = dataclasses.replace(ANAND, rolling=rolling)
+        for fraction in FRACTIONS:
+            directory = given.work / f"rolling_{rolling:g}_{fraction:g}"
+            if not (directory / "done").exists():
+                run(silo, fraction, directory, given.command)
+            rows.append(row(silo, fraction, directory))
+            print(rows[-1], flush=True)
     write(REFERENCE / "shear_cell.csv",
           f"scripts/reference/shear_cell.py: LAMMPS, {COUNT**3} spheres of mu {ANAND.friction:g}, e {ANAND.restitution:g} "
           f"(across the contact {TANGENTIAL:.3f} of the stiffness) at a rate of shear of {RATE:g} 1/s",
-          ["nu", "p [dyn/cm2]", "inertial number", "tau/p", "error", "tau/p_yy"], rows)
+          ["rolling", "nu", "p [dyn/cm2]", "inertial number", "tau/p", "error", "tau/p_yy"], rows)
 
 
 if __name__ == "__main__":

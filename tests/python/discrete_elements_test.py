@@ -130,7 +130,8 @@ class Grains(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             path = Path(directory) / "a.dump"
             head = "ITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS ff ff pp\n0 1\n0 1\n0 1\nITEM: ATOMS x y \n"
-            path.write_text("ITEM: TIMESTEP\n7\n" + head.format(2) + "1 2\n3 4\nITEM: TIMESTEP\n9\n" + head.format(1) + "5 6\n")
+            two, one = head.format(2) + "1 2\n3 4\n", head.format(1) + "5 6\n"
+            path.write_text(f"ITEM: TIMESTEP\n7\n{two}ITEM: TIMESTEP\n9\n{one}")
             (first, a), (second, b) = frames(path)
             self.assertEqual((first, second), (7, 9))
             np.testing.assert_array_equal(a, [[1, 2], [3, 4]])
