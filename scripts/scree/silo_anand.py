@@ -42,6 +42,8 @@ class Model:
 MODELS = (
     Model("recommended", "recommended model"),
     Model("recommended_2mm", "the same, cells of 2 mm", options=UNIFORM),
+    Model("rolling", "grains that resist rolling", "rolling.yaml"),
+    Model("rolling_2mm", "the same, cells of 2 mm", "rolling.yaml", UNIFORM),
     Model("paper", "paper's model", "paper.yaml"),
     Model("paper_2mm", "the same, cells of 2 mm", "paper.yaml", UNIFORM),
     Model("fluidity", "nonlocal friction", "fluidity.yaml"),
@@ -51,11 +53,9 @@ MODELS = (
 CHANGES = (
     Model("finer", "cells of 0.25 mm at the lip", options=FINER),
     Model("smooth", "smooth floor", options={"plate_floor_kind": "wall_johnson_jackson"}),
-    Model("angle", "angle of friction of 20.9 degrees, its sine 0.357", options={"friction_angle": "20.9 deg"}),
+    Model("angle", "angle of friction of 20.9 degrees, of grains of friction 0.3", options={"friction_angle": "20.9 deg"}),
     Model("collisions", "collisions without friction", options={"particle_friction": 0}),
-    Model("wall_collisions", "collisions with walls with friction, 0.2", options={"wall_particle_friction": 0.2}),
     Model("cidr", "M(I), well-posed", options={"friction_coefficient": "cidr"}),
-    Model("floor_1", "floor of the strain rate of 1 1/s", options={"friction_strain_rate_floor": 1}),
 )
 
 
@@ -170,10 +170,12 @@ def draw_mass(runs):
     figure, axes = plt.subplots(figsize=(6.4, 4.6))
     axes.plot(*reference_mass("anand_2008"), "o", color="black", label="Anand et al. (2008)", zorder=4)
     axes.plot(*reference_mass("mass_anand"), color="0.4", linewidth=3, label="discrete elements")
+    axes.plot(*reference_mass("mass_anand_soft_rolling"), color="0.4", linewidth=1.5, linestyle="--",
+              label="the same with rolling friction")
     for label, run in runs.items():
         axes.plot(run.time, run.mass, label=label)
     axes.set(xlabel="time (s)", ylabel="discharged mass (g)", xlim=(0, 1.6), ylim=(0, 100))
-    axes.legend(loc="lower right")
+    axes.legend(loc="lower right", fontsize=9)
     return figure
 
 
@@ -200,12 +202,13 @@ def draw_maps(runs):
 def draw_lines(runs):
     """The lines where the speed is a tenth of the plug's, on the cells of the discrete elements."""
     figure, axes = plt.subplots(figsize=(5.2, 4.4))
-    axes.plot(*reference_flow().line(float(reference_numbers()["plug [cm/s]"])).T, color="0.4", linewidth=3,
-              label="discrete elements")
+    for name, label, look in (("anand", "discrete elements", dict(linewidth=3)),
+                              ("anand_soft_rolling", "the same with rolling friction", dict(linewidth=1.5, linestyle="--"))):
+        axes.plot(*reference_flow(name).line(float(reference_numbers(name)["plug [cm/s]"])).T, color="0.4", label=label, **look)
     for label, run in runs.items():
         axes.plot(*run.on_reference().line(run.plug).T, ".-", label=label)
-    axes.set(xlabel="x (cm)", ylabel="height above the floor (cm)", xlim=(0, WIDTH / 2), ylim=(0, 7), aspect="equal")
-    axes.legend(loc="upper left")
+    axes.set(xlabel="x (cm)", ylabel="height above the floor (cm)", xlim=(0, WIDTH / 2), ylim=(0, 8), aspect="equal")
+    axes.legend(loc="upper left", fontsize=9)
     return figure
 
 
@@ -220,7 +223,7 @@ def draw_profiles(runs):
             axes.plot(flow.y, values[:, 0], label=label, **look)
     panels[0].set(ylabel="solids fraction (–)", ylim=(0, 0.7))
     panels[1].set(xlabel="height above the floor (cm)", ylabel="granular temperature (cm²/s²)", yscale="log", xlim=(-1, 7))
-    panels[0].legend(loc="lower right")
+    panels[0].legend(loc="lower center", fontsize=9)
     return figure
 
 
@@ -239,7 +242,8 @@ def models_table(rows):
     """Anand's rate, discrete elements, and the models."""
     C = slot_flow.coefficient(anand_rate() / DEPTH, DENSITY, float(reference_numbers()["fill nu"]), ORIFICE)
     lines = [["Anand et al. (2008)", f"{anand_rate():.1f}", f"{C:.3f}", *[""] * (len(SHOWN) - 2)]]
-    names = {"anand": "discrete elements", "anand_soft": "softer by 4", "anand_soft_rolling": "softer by 4, with rolling friction"}
+    names = {"anand": "discrete elements", "anand_soft": "the same, softer by 4",
+             "anand_soft_rolling": "the same, softer by 4, rolling friction"}
     lines += [[words, *(tidy(key, discrete_row(name)[key]) for key in SHOWN)] for name, words in names.items()]
     lines += [[words, *(tidy(key, rows[name][key]) for key in SHOWN)] for name, words in
               ((m.name, m.words) for m in MODELS) if name in rows]
@@ -261,8 +265,8 @@ def changes_table(rows):
 
 def discrete_table():
     columns = read_csv(REFERENCE / "anand.csv")
-    shown = ("run", "stiffness [dyn/cm]", "rolling", "rate [g/s]", "corner / plug", "shoulder angle [deg]", "wedge angle [deg]",
-             "greatest overlap / d", "mean greatest overlap / d")
+    shown = ("run", "stiffness [dyn/cm]", "rolling", "rate [g/s]", "corner / plug", "shoulder angle [deg]",
+             "wedge angle [deg]", "remaining [g]", "greatest overlap / d", "mean greatest overlap / d")
     return markdown(list(shown), [list(line) for line in zip(*(columns[key] for key in shown))])
 
 
@@ -278,18 +282,18 @@ def fill_page(rows):
 def make_page(work, jobs):
     """Runs what is missing; writes models.csv, figures and tables."""
     program.check_program(program.default_program())
-    points = {model: point(model, work) for model in (*MODELS, *CHANGES)}
-    missing = [p for p in points.values() if p.state() == "missing"]
+    points = [(model, point(model, work)) for model in (*MODELS, *CHANGES)]
+    missing = [p for _, p in points if p.state() == "missing"]
     for number, p in enumerate(sweeps.run_all(missing, jobs), 1):
         print(f"[{number}/{len(missing)}] {p.name}: {p.record()['reason'] or 'done'}", flush=True)
-    runs = {model: Run(p.directory) for model, p in points.items() if p.state() == "done"}
-    rows = {model.name: run.row() for model, run in runs.items()}
+    runs = [(model, Run(p.directory)) for model, p in points if p.state() == "done"]
+    rows = {model.name: run.row() for model, run in runs}
     with open(PAGE / "models.csv", "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["run", *SHOWN])
         table.writerows([name, *row.values()] for name, row in rows.items())
     fill_page(rows)
-    shown = {model.words: run for model, run in runs.items() if model in MODELS and not model.options}
+    shown = {model.words: run for model, run in runs if model in MODELS and not model.options}
     for name, figure in figures(shown).items():
         figure.savefig(PAGE / f"{name}.png")
 

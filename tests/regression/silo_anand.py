@@ -7,7 +7,8 @@ from scree import silo_anand, slot_flow  # on the path since scree_program
 
 WINDOW = (0.1, 0.3)  # [s]
 BAND = 0.1  # cells of 1 mm at the lip
-COARSE = {"grid_finest": "1 mm", "grid_coarsest": "8 mm", "grid_growth": 1.5, "end_time": WINDOW[1], "output_interval": WINDOW[1]}
+COARSE = {"grid_finest": "1 mm", "grid_coarsest": "8 mm", "grid_growth": 1.5, "end_time": WINDOW[1],
+          "output_interval": WINDOW[1]}
 
 program, checks = Program(), Checks("bin of Anand et al. (2008) against discrete elements")
 elements = slot_flow.slope(*silo_anand.reference_mass("mass_anand"), WINDOW)
