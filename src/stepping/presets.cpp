@@ -134,7 +134,7 @@ PetscOptionList gas_fieldsplit(int unknowns, int gas_pressure, const PetscOption
 /// A factor by MUMPS, made on one of the ranks: those that share one add up in the order in which messages come, and a
 /// restart would not end bit for bit as the uninterrupted run. In two dimensions they save little: other ranks wait.
 PetscOptionList factor(int ranks) {
-  const PetscOptionList own{{"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
+  PetscOptionList own{{"pc_type", "lu"}, {"pc_factor_mat_solver_type", "mumps"}, {"mat_mumps_icntl_14", "60"}};
   if (ranks == 1) return own;
   PetscOptionList list{{"pc_type", "telescope"},
                        {"pc_telescope_reduction_factor", std::to_string(ranks)},
@@ -169,7 +169,7 @@ PetscOptionList condensed(const std::vector<Field>& node, int dim, int ranks) {
       append(eliminated, field.component);
     else
       append(face_axes, field.face_axis);
-  const PetscOptionList core = dim > 2 ? geometric_multigrid(face_axes, ranks) : factor(ranks);
+  PetscOptionList core = dim > 2 ? geometric_multigrid(face_axes, ranks) : factor(ranks);
   if (eliminated.empty()) return core;
   PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
   for (const auto& option : with_prefix("condensed_core_", core)) list.push_back(option);
