@@ -25,33 +25,39 @@ inline std::string name_of(const Combination& c) {
          schemes[static_cast<int>(c.advection)] + gases[static_cast<int>(c.gas)];
 }
 
-/// All combinations without gas in one and two dimensions; else some that hold every layout (T or not, chi or not) with
-/// both advection schemes and each closure.
+/// All combinations without gas in one and two dimensions; with gas some that hold every layout (T or not, chi or not)
+/// with both advection schemes and each closure; in space one for each layout.
 inline std::vector<Combination> combinations() {
   std::vector<Combination> all;
   const AdvectionScheme upwind = AdvectionScheme::upwind, van_albada = AdvectionScheme::van_albada;
-  for (int dim = 1; dim <= 3; ++dim) {
+  const TemperatureModel transport = TemperatureModel::transport, algebraic = TemperatureModel::algebraic,
+                         constant = TemperatureModel::constant;
+  for (int dim = 1; dim <= 2; ++dim) {
     for (const auto friction :
          {FrictionModel::none, FrictionModel::critical_state, FrictionModel::instantaneous, FrictionModel::relaxed})
-      for (const auto temperature :
-           {TemperatureModel::transport, TemperatureModel::algebraic, TemperatureModel::constant})
-        for (const auto advection : {upwind, van_albada})
-          if (dim < 3) all.push_back({dim, friction, temperature, advection});
-    for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible})
-      for (const Combination& c :
-           {Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, upwind},
-            Combination{dim, FrictionModel::relaxed, TemperatureModel::transport, van_albada},
-            Combination{dim, FrictionModel::none, TemperatureModel::transport, upwind},
-            Combination{dim, FrictionModel::instantaneous, TemperatureModel::transport, van_albada},
-            Combination{dim, FrictionModel::relaxed, TemperatureModel::algebraic, upwind},
-            Combination{dim, FrictionModel::relaxed, TemperatureModel::constant, van_albada},
-            Combination{dim, FrictionModel::critical_state, TemperatureModel::constant, upwind},
-            Combination{dim, FrictionModel::none, TemperatureModel::algebraic, van_albada}}) {
-        if (gas == GasModel::none && dim < 3) continue;
+      for (const auto temperature : {transport, algebraic, constant})
+        for (const auto advection : {upwind, van_albada}) all.push_back({dim, friction, temperature, advection});
+    for (const auto gas : {GasModel::darcy, GasModel::incompressible})
+      for (const Combination& c : {Combination{dim, FrictionModel::relaxed, transport, upwind},
+                                   Combination{dim, FrictionModel::relaxed, transport, van_albada},
+                                   Combination{dim, FrictionModel::none, transport, upwind},
+                                   Combination{dim, FrictionModel::instantaneous, transport, van_albada},
+                                   Combination{dim, FrictionModel::relaxed, algebraic, upwind},
+                                   Combination{dim, FrictionModel::relaxed, constant, van_albada},
+                                   Combination{dim, FrictionModel::critical_state, constant, upwind},
+                                   Combination{dim, FrictionModel::none, algebraic, van_albada}}) {
         all.push_back(c);
         all.back().gas = gas;
       }
   }
+  for (const auto gas : {GasModel::none, GasModel::darcy, GasModel::incompressible})
+    for (const Combination& c : {Combination{3, FrictionModel::relaxed, transport, van_albada},
+                                 Combination{3, FrictionModel::instantaneous, transport, upwind},
+                                 Combination{3, FrictionModel::relaxed, algebraic, upwind},
+                                 Combination{3, FrictionModel::critical_state, constant, van_albada}}) {
+      all.push_back(c);
+      all.back().gas = gas;
+    }
   return all;
 }
 

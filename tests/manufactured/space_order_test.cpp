@@ -82,7 +82,8 @@ ProblemSetup setup_of(const SpaceCase& c, const ExactFields& exact, int cells) {
 /// 64 cells in the plane beside sides where the gas has inertia, for there all balances are, and with `instantaneous`
 /// friction; the others show the same orders on half as many.
 int finest(const SpaceCase& c) {
-  const bool whole = c.tests_side && c.gas == GasModel::incompressible;
+  const bool second_order = c.scheme == AdvectionScheme::van_albada;
+  const bool whole = c.tests_side && c.gas == GasModel::incompressible && second_order;
   const bool half = c.dim == 2 && !whole && c.friction != FrictionModel::instantaneous;
   PetscInt cells = half ? 32 : 64;
   check(PetscOptionsGetInt(nullptr, nullptr, "-finest", &cells, nullptr));

@@ -4,7 +4,7 @@ import numpy as np
 from scree_program import Checks, Program
 
 RHO_S, NU_MIN, NU_MAX, DX = 2900.0, 0.5, 0.65, 8e-2 / 24
-MATERIALS = {"p_c of Table 2": (0.05, 5), "F x 1000": (50, 5), "s = 8": (0.05, 8), "F / 1000": (5e-5, 5), "F / 1e9": (5e-11, 5)}
+MATERIALS = {"p_c of Table 2": (0.05, 5), "F x 1000": (50, 5), "s = 8": (0.05, 8), "F / 1e9": (5e-11, 5)}
 
 
 def wave_speed(nu, F, s):
