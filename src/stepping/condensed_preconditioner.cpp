@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "scree/stepping/condensation.hpp"
+#include "scree/stepping/shell_preconditioner.hpp"
 
 namespace scree {
 
@@ -12,6 +13,8 @@ namespace {
 
 class CondensedPreconditioner {
  public:
+  static constexpr const char* name = "condensed";
+
   CondensedPreconditioner() = default;
   ~CondensedPreconditioner() { PetscCallAbort(PETSC_COMM_SELF, clear()); }
   CondensedPreconditioner(const CondensedPreconditioner&) = delete;
@@ -130,64 +133,11 @@ class CondensedPreconditioner {
   Vec x_core_ = nullptr, y_core_ = nullptr, x_rest_ = nullptr, y_rest_ = nullptr;
 };
 
-// ---- as a shell of PETSc ----
-
-PetscErrorCode context(PC pc, CondensedPreconditioner** own) {
-  PetscFunctionBeginUser;
-  PetscCall(PCShellGetContext(pc, own));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode set_up(PC pc) {
-  PetscFunctionBeginUser;
-  CondensedPreconditioner* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->set_up(pc));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode apply(PC pc, Vec x, Vec y) {
-  PetscFunctionBeginUser;
-  CondensedPreconditioner* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->apply(pc, x, y));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode view(PC pc, PetscViewer viewer) {
-  PetscFunctionBeginUser;
-  CondensedPreconditioner* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->view(viewer));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode destroy(PC pc) {
-  PetscFunctionBeginUser;
-  CondensedPreconditioner* own;
-  PetscCall(context(pc, &own));
-  delete own;
-  PetscFunctionReturn(0);
-}
-
-/// What PETSc calls for -pc_type condensed; the PC then is of the type PCSHELL, all of whose interface is public.
-PetscErrorCode make_shell(PC pc) {
-  PetscFunctionBeginUser;
-  PetscCall(PCSetType(pc, PCSHELL));
-  PetscCall(PCShellSetName(pc, "condensed"));
-  PetscCall(PCShellSetContext(pc, new CondensedPreconditioner()));
-  PetscCall(PCShellSetSetUp(pc, set_up));
-  PetscCall(PCShellSetApply(pc, apply));
-  PetscCall(PCShellSetView(pc, view));
-  PetscCall(PCShellSetDestroy(pc, destroy));
-  PetscFunctionReturn(0);
-}
-
 }  // namespace
 
 PetscErrorCode register_condensed_preconditioner() {
   PetscFunctionBeginUser;
-  PetscCall(PCRegister("condensed", make_shell));
+  PetscCall(PCRegister(CondensedPreconditioner::name, ShellPreconditioner<CondensedPreconditioner>::make));
   PetscFunctionReturn(0);
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "scree/stepping/shell_preconditioner.hpp"
 #include "scree/stepping/staggered_interpolation.hpp"
 
 namespace scree {
@@ -18,6 +19,8 @@ struct Level {
 
 class StaggeredMultigrid {
  public:
+  static constexpr const char* name = "staggered";
+
   StaggeredMultigrid() = default;
   ~StaggeredMultigrid() { PetscCallAbort(PETSC_COMM_SELF, clear()); }
   StaggeredMultigrid(const StaggeredMultigrid&) = delete;
@@ -155,63 +158,11 @@ class StaggeredMultigrid {
   PC cycle_ = nullptr;
 };
 
-// ---- as a shell of PETSc ----
-
-PetscErrorCode context(PC pc, StaggeredMultigrid** own) {
-  PetscFunctionBeginUser;
-  PetscCall(PCShellGetContext(pc, own));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode set_up(PC pc) {
-  PetscFunctionBeginUser;
-  StaggeredMultigrid* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->set_up(pc));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode apply(PC pc, Vec x, Vec y) {
-  PetscFunctionBeginUser;
-  StaggeredMultigrid* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->apply(pc, x, y));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode view(PC pc, PetscViewer viewer) {
-  PetscFunctionBeginUser;
-  StaggeredMultigrid* own;
-  PetscCall(context(pc, &own));
-  PetscCall(own->view(viewer));
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode destroy(PC pc) {
-  PetscFunctionBeginUser;
-  StaggeredMultigrid* own;
-  PetscCall(context(pc, &own));
-  delete own;
-  PetscFunctionReturn(0);
-}
-
-PetscErrorCode make_shell(PC pc) {
-  PetscFunctionBeginUser;
-  PetscCall(PCSetType(pc, PCSHELL));
-  PetscCall(PCShellSetName(pc, "staggered"));
-  PetscCall(PCShellSetContext(pc, new StaggeredMultigrid()));
-  PetscCall(PCShellSetSetUp(pc, set_up));
-  PetscCall(PCShellSetApply(pc, apply));
-  PetscCall(PCShellSetView(pc, view));
-  PetscCall(PCShellSetDestroy(pc, destroy));
-  PetscFunctionReturn(0);
-}
-
 }  // namespace
 
 PetscErrorCode register_staggered_multigrid() {
   PetscFunctionBeginUser;
-  PetscCall(PCRegister("staggered", make_shell));
+  PetscCall(PCRegister(StaggeredMultigrid::name, ShellPreconditioner<StaggeredMultigrid>::make));
   PetscFunctionReturn(0);
 }
 
