@@ -447,6 +447,39 @@ TEST(GasMomentum, IsThatOfTheVolumeOfGas) {
   });
 }
 
+/// The gas of a side has (1-nu) u as given: nu on the line through two cells, as far as nu can be that, or what an
+/// inlet brings.
+TEST(GasMomentum, InletsHaveTheirSuperficialVelocityAtTheSide) {
+  struct Row {
+    BoundaryKind kind;
+    double first, second, expected;  // nu of the two cells before the side, and at it
+  };
+  const Row rows[] = {{BoundaryKind::gas_inlet, 0.5, 0.4, 0.55},
+                      {BoundaryKind::gas_inlet, 0.6, 0.0, 0.65},
+                      {BoundaryKind::gas_inlet, 0.1, 0.5, 0.0},
+                      {BoundaryKind::inlet, 0.5, 0.4, 0.3}};
+  for (const Row& row : rows)
+    for (const bool upper : {false, true}) {
+      ProblemSetup setup = gas_setup(2, GasModel::incompressible);
+      setup.box = uniform_box(2, {6, 6, 0});
+      setup.model.advection = AdvectionScheme::van_albada;
+      Condition inlet = condition(row.kind);
+      inlet.gas_velocity = 0.2;
+      inlet.bring(SolidsContinuity::unknown, 0.3);
+      setup.segments = all_sides(setup.box, condition(BoundaryKind::symmetry));
+      setup.segments.push_back(side(1, upper, inlet));
+      Evaluation problem(PETSC_COMM_SELF, setup);
+      const int face = upper ? 6 : 0, first = upper ? 5 : 0, second = upper ? 4 : 1;
+      const Values residual = problem.residual(problem.values([&](const Field& f, const Index& I) {
+        if (f.symbol == "nu") return I[1] == first ? row.first : I[1] == second ? row.second : 0.5;
+        return f.symbol == "u" && f.face_axis == 1 && I[1] == face ? (upper ? -1 : 1) * 0.2 / (1 - row.expected) : 0.0;
+      }),
+                                               problem.zeros());
+      EXPECT_NEAR(residual[problem.at(problem.component("u") + 1, Index{{2, face, 0}})], 0, 1e-14)
+          << row.kind.name << ", nu " << row.first << ", " << row.second;
+    }
+}
+
 /// Gas from an inlet brings nothing along the side: the row of u beside it holds flux times u, on either side.
 TEST(GasMomentum, InletsBlowStraightIn) {
   for (const auto kind : {BoundaryKind::gas_inlet, BoundaryKind::inlet})
