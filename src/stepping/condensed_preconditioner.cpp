@@ -6,6 +6,7 @@
 
 #include "scree/stepping/condensation.hpp"
 #include "scree/stepping/shell_preconditioner.hpp"
+#include "scree/stepping/staggered_multigrid.hpp"
 
 namespace scree {
 
@@ -93,9 +94,9 @@ class CondensedPreconditioner {
     eliminated.resize(static_cast<std::size_t>(count));
     condensation_ = std::make_unique<Condensation>();
     PetscCall(condensation_->create(matrix, eliminated));
+    PetscCall(give_grid(pc, condensation_->core()));
     PetscCall(create_solver(pc, prefix, "condensed_core_", condensation_->core(), &core_));
     PetscCall(create_solver(pc, prefix, "condensed_rest_", condensation_->rest(), &rest_));
-    PetscCall(give_grid(pc, core_));
     PetscCall(MatCreateVecs(condensation_->core(), &x_core_, &y_core_));
     PetscCall(MatCreateVecs(condensation_->rest(), &x_rest_, &y_rest_));
     PetscFunctionReturn(0);
@@ -115,14 +116,15 @@ class CondensedPreconditioner {
     PetscFunctionReturn(0);
   }
 
-  /// For preconditioners that need to know the nodes; the solver has its matrix and asks the grid for nothing.
-  static PetscErrorCode give_grid(PC pc, KSP solver) {
+  /// For preconditioners that need to know the nodes. The solver itself is not told: multigrid of PETSc's would take
+  /// the grid, which has more unknowns, for that of its matrix.
+  static PetscErrorCode give_grid(PC pc, Mat core) {
     PetscFunctionBeginUser;
     DM dm;
     PetscCall(PCGetDM(pc, &dm));
-    if (!dm) PetscFunctionReturn(0);
-    PetscCall(KSPSetDM(solver, dm));
-    PetscCall(KSPSetDMActive(solver, PETSC_FALSE));
+    if (dm)
+      PetscCall(
+          PetscObjectCompose(reinterpret_cast<PetscObject>(core), grid_of_nodes, reinterpret_cast<PetscObject>(dm)));
     PetscFunctionReturn(0);
   }
 

@@ -79,7 +79,9 @@ class StaggeredMultigrid {
     DM dm;
     const char* prefix;
     PetscCall(clear());
-    PetscCall(PCGetDM(pc, &dm));
+    PetscCall(
+        PetscObjectQuery(reinterpret_cast<PetscObject>(matrix), grid_of_nodes, reinterpret_cast<PetscObject*>(&dm)));
+    if (!dm) PetscCall(PCGetDM(pc, &dm));
     PetscCall(PCGetOptionsPrefix(pc, &prefix));
     PetscCheck(dm, PetscObjectComm(reinterpret_cast<PetscObject>(pc)), PETSC_ERR_ORDER,
                "-pc_type staggered needs the DMDA of the grid");

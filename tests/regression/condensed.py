@@ -63,6 +63,9 @@ for layout, (case, options, end, most) in LAYOUTS.items():
         tight = program.run(case, f"{name}_tight_{ranks}", {**options, **TIGHT, **CONDENSED}, ranks=ranks)
         checks.below(f"{layout}, ranks {ranks}: against direct", difference(direct.fields, tight.fields), 1e-6)
 
+# Another multigrid for the core, named by the user.
+program.run("../benchmark/bin_3d.yaml", "gamg", {**COARSE_BOX, **CONDENSED, "end_time": 2e-4, "condensed_core_pc_type": "gamg"})
+
 # Jacobi in the place of ILU, and few iterations: the run goes over to condensed, and no step is cut.
 weak = program.run("small_bin.yaml", "weak", {"end_time": 0.01, "ksp_max_it": 6, "sub_pc_type": "jacobi"})
 checks.true("a system that is not solved: goes to condensed", "a linear system is not solved; solver condensed" in weak.log, weak.log)
