@@ -25,15 +25,10 @@ class CondensedPreconditioner {
   PetscErrorCode set_up(PC pc) {
     PetscFunctionBeginUser;
     Mat matrix;
-    PetscObjectId id;
-    PetscObjectState pattern;
+    bool other = true, regular = false;
     PetscCall(PCGetOperators(pc, nullptr, &matrix));
-    PetscCall(PetscObjectGetId(reinterpret_cast<PetscObject>(matrix), &id));
-    PetscCall(MatGetNonzeroState(matrix, &pattern));
-    if (!condensation_ || id != id_ || pattern != pattern_) PetscCall(create(pc, matrix));
-    id_ = id;
-    pattern_ = pattern;
-    bool regular;
+    PetscCall(pattern_.take(matrix, &other));
+    if (other) PetscCall(create(pc, matrix));
     PetscCall(condensation_->update(matrix, &regular));
     PetscCall(PCSetFailedReason(pc, regular ? PC_NOERROR : PC_FACTOR_NUMERIC_ZEROPIVOT));
     if (!regular) PetscFunctionReturn(0);
@@ -129,8 +124,7 @@ class CondensedPreconditioner {
   }
 
   std::unique_ptr<Condensation> condensation_;
-  PetscObjectId id_ = 0;          ///< of the matrix ...
-  PetscObjectState pattern_ = 0;  ///< ... whose pattern the condensation has
+  KnownPattern pattern_;  ///< that the condensation has
   KSP core_ = nullptr, rest_ = nullptr;
   Vec x_core_ = nullptr, y_core_ = nullptr, x_rest_ = nullptr, y_rest_ = nullptr;
 };

@@ -2,7 +2,7 @@
 
 #include <petscksp.h>
 
-#include <string>
+#include <vector>
 
 #include "scree/stepping/shell_preconditioner.hpp"
 #include "scree/stepping/staggered_interpolation.hpp"
@@ -29,19 +29,15 @@ class StaggeredMultigrid {
   PetscErrorCode set_up(PC pc) {
     PetscFunctionBeginUser;
     Mat matrix;
-    PetscObjectId id;
-    PetscObjectState pattern;
+    bool other = true;
     PetscCall(PCGetOperators(pc, nullptr, &matrix));
-    PetscCall(PetscObjectGetId(reinterpret_cast<PetscObject>(matrix), &id));
-    PetscCall(MatGetNonzeroState(matrix, &pattern));
-    if (!cycle_ || id != id_ || pattern != pattern_)
+    PetscCall(pattern_.take(matrix, &other));
+    if (other)
       PetscCall(create(pc, matrix));
     else
       for (std::size_t k = 1; k < levels_.size(); ++k)
         PetscCall(MatPtAP(levels_[k - 1].matrix, levels_[k].interpolation, MAT_REUSE_MATRIX, PETSC_DEFAULT,
                           &levels_[k].matrix));
-    id_ = id;
-    pattern_ = pattern;
     PetscCall(PCSetUp(cycle_));
     PetscFunctionReturn(0);
   }
@@ -102,7 +98,8 @@ class StaggeredMultigrid {
     PetscCall(PetscOptionsGetIntArray(nullptr, prefix, "-pc_staggered_axes", axes.data(), &count, nullptr));
     PetscCall(PetscOptionsGetInt(nullptr, prefix, "-pc_staggered_coarse_eq_limit", &limit, nullptr));
     PetscCall(find_fixed(finest, fixed));
-    for (PetscInt size = limit + 1; size > limit;) {
+    for (;;) {
+      PetscInt size;
       Level coarse;
       const Level fine = levels_.back();
       PetscCall(MatGetSize(fine.matrix, &size, nullptr));
@@ -155,8 +152,7 @@ class StaggeredMultigrid {
   }
 
   std::vector<Level> levels_;
-  PetscObjectId id_ = 0;          ///< of the matrix ...
-  PetscObjectState pattern_ = 0;  ///< ... whose pattern the levels have
+  KnownPattern pattern_;  ///< that the levels have
   PC cycle_ = nullptr;
 };
 

@@ -1,7 +1,7 @@
-/// The linear system of the first Newton iteration of a backward-Euler step from the state of a checkpoint, on the grid
-/// of the run or a finer one, solved by a preset or by any options of PETSc, on any number of ranks.
+/// The linear system of the first Newton iteration of a backward-Euler step from the state of a checkpoint, solved by a
+/// preset or by any options of PETSc, on any number of ranks.
 ///
-///     linear_solvers DIRECTORY [-refine 2] [-dt 1e-2] [-scene NAME] [-label TEXT] [-repeat 3] [-header]
+///     linear_solvers DIRECTORY [-dt 1e-2] [-scene NAME] [-label TEXT] [-repeat 3] [-header]
 ///                              [-solver multigrid] [options]
 ///
 /// Prints one line of CSV (`-header`: the names of its columns before it). The system is solved from a zero guess to
@@ -14,9 +14,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <vector>
+#include <string>
 
 #include "../support/sample_problem.hpp"
 #include "scree/app/petsc_session.hpp"
@@ -40,7 +39,7 @@ constexpr double tight_tolerance = 1e-5;
 
 /// Options of this program: they leave the command line, the rest is the case's and PETSc's.
 struct Options {
-  int refine = 1, repeat = 1;
+  int repeat = 1;
   double dt = 1e-2;
   bool header = false;
   std::string scene, label;
@@ -48,9 +47,7 @@ struct Options {
   explicit Options(CommandLine& line) {
     CommandLine rest;
     for (const auto& [key, value] : line.options) {
-      if (key == "refine")
-        refine = std::stoi(value);
-      else if (key == "repeat")
+      if (key == "repeat")
         repeat = std::stoi(value);
       else if (key == "dt")
         dt = std::stod(value);
@@ -67,98 +64,13 @@ struct Options {
   }
 };
 
-/// The case on a grid with `times` as many cells along each axis.
-Case refined_case(CaseInput input, int times) {
-  const std::string* own = input.find("grid_refine");
-  input.set("grid_refine", std::to_string((own ? std::stoi(*own) : 1) * times));
-  return read_case(input);
-}
-
-// ---- the state on the finer grid ----
-
-/// Two neighbours along an axis and the share of the upper one.
-struct Between {
-  int lower = 0;
-  double share = 0;
-};
-
-/// Where `position` lies among the places of a field along an axis: faces, or centres of cells, beyond the last of
-/// which it is constant.
-Between between(const Axis& axis, bool on_faces, double position) {
-  const int last = axis.cells() - (on_faces && !axis.periodic() ? 0 : 1);
-  const auto place = [&](int i) { return on_faces ? axis.face(i) : axis.centre(i); };
-  int i = 0;
-  while (i < last - 1 && place(i + 1) <= position) ++i;
-  if (last == 0) return {};
-  return {i, std::clamp((position - place(i)) / (place(i + 1) - place(i)), 0., 1.)};
-}
-
-/// Linear interpolation along each axis of the state of a run, which every rank holds whole.
-class CoarseState {
- public:
-  CoarseState(const std::string& directory, const Box& box, const DiscreteProblem& fine) {
-    const auto [unknowns, width] = fine.setup().models.extent(box.dim, fine.setup().model, fine.setup().solids);
-    check(create_dm(PETSC_COMM_SELF, box, unknowns, width, &dm_));
-    const Checkpoint saved = read_checkpoint(directory, box, dm_, fine.model().fields());
-    time = saved.scalar("time");
-    lattice_ = std::make_unique<Lattice>(box, dm_);
-    const double* x;
-    check(VecGetArrayRead(saved.vector("state"), &x));
-    values_.assign(x, x + lattice_->owned_size() * unknowns);
-    check(VecRestoreArrayRead(saved.vector("state"), &x));
-    unknowns_ = unknowns;
-  }
-  ~CoarseState() { (void)DMDestroy(&dm_); }
-  CoarseState(const CoarseState&) = delete;
-  CoarseState& operator=(const CoarseState&) = delete;
-
-  double at(const Field& field, const std::array<double, max_dim>& x) const {
-    std::array<Between, max_dim> places;
-    for (int a = 0; a < lattice_->dim; ++a) places[a] = between(lattice_->axes[a], a == field.face_axis, x[a]);
-    double sum = 0;
-    for (int corner = 0; corner < 1 << lattice_->dim; ++corner) {
-      double weight = 1;
-      Index I;
-      for (int a = 0; a < lattice_->dim; ++a) {
-        const bool upper = corner >> a & 1;
-        I[a] = places[a].lower + upper;
-        weight *= upper ? places[a].share : 1 - places[a].share;
-      }
-      if (weight > 0)
-        sum += weight * values_[static_cast<std::size_t>(lattice_->owned(I) * unknowns_ + field.component)];
-    }
-    return sum;
-  }
-
-  double time = 0;
-
- private:
-  DM dm_ = nullptr;
-  std::unique_ptr<Lattice> lattice_;
-  Values values_;
-  int unknowns_ = 0;
-};
-
-/// Puts the interpolated state where the finer grid has unknowns; walls keep their velocity, gas its volume.
-void interpolate(const CoarseState& coarse, const DiscreteProblem& fine, Vec state) {
-  const Lattice& grid = fine.lattice();
-  double* x;
-  check(VecZeroEntries(state));
-  check(VecGetArray(state, &x));
-  for (const Field& field : fine.model().fields())
-    for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
-      if (field.face_axis < 0 ? !grid.inside(I) : !grid.is_face(field.face_axis, I)) return;
-      std::array<double, max_dim> at{};
-      for (int a = 0; a < grid.dim; ++a)
-        at[a] = a == field.face_axis ? grid.axes[a].face(I[a]) : grid.axes[a].centre(I[a]);
-      double& value = x[grid.owned(I) * fine.model().unknowns() + field.component];
-      value = coarse.at(field, at);
-      if (field.symbol == "v" && fine.barriers().wall(field.face_axis, I))
-        value = fine.barriers().condition(field.face_axis, I).velocity[field.face_axis] / field.scale;
-    });
-  check(VecRestoreArray(state, &x));
-  check(impose_gas(fine, coarse.time, state));
-  check(project_gas(fine, coarse.time, state));
+/// The state at which a run ended, and its time.
+double read_state(const std::string& directory, const Box& box, DiscreteProblem& problem, Vec state) {
+  const Checkpoint saved = read_checkpoint(directory, box, problem.dm(), problem.model().fields());
+  check(VecCopy(saved.vector("state"), state));
+  const double time = saved.scalar("time");
+  check(problem.update_conditions(time));
+  return time;
 }
 
 // ---- the system ----
@@ -314,19 +226,12 @@ void print_header() {
 /// Messages and the like are those of the tight solution, a rank and an iteration.
 void run(const std::string& directory, const Options& options, const CaseInput& input) {
   const double empty = peak_memory();
-  const Box coarse_box = read_case(input).box;
-  const Case scene = refined_case(input, options.refine);
+  const Case scene = read_case(input);
   DiscreteProblem problem(problem_setup(scene));
   check(problem.create(PETSC_COMM_WORLD, 0));
   Vec state;
   check(DMCreateGlobalVector(problem.dm(), &state));
-  double time;
-  {
-    const CoarseState coarse(directory, coarse_box, problem);
-    time = coarse.time;
-    check(problem.update_conditions(time));
-    interpolate(coarse, problem, state);
-  }
+  const double time = read_state(directory, scene.box, problem, state);
   System system(problem, state, time, options.dt);
   const char* preset = name_of(scene.solver.preset);
   check(register_orderings());

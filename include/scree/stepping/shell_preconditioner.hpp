@@ -1,9 +1,30 @@
-/// A class as a type of preconditioner of PETSc: as PCSHELL, all of whose interface is public.
+/// What own types of preconditioners share: a class as a type of PETSc's, as PCSHELL, all of whose interface is public.
 #pragma once
 
 #include <petscpc.h>
 
 namespace scree {
+
+/// Which matrix, with which pattern, a preconditioner was made for.
+class KnownPattern {
+ public:
+  /// *other: whether `matrix` is not the one of the last call, or has got another pattern.
+  PetscErrorCode take(Mat matrix, bool* other) {
+    PetscFunctionBeginUser;
+    PetscObjectId id;
+    PetscObjectState state;
+    PetscCall(PetscObjectGetId(reinterpret_cast<PetscObject>(matrix), &id));
+    PetscCall(MatGetNonzeroState(matrix, &state));
+    *other = id != id_ || state != state_;
+    id_ = id;
+    state_ = state;
+    PetscFunctionReturn(0);
+  }
+
+ private:
+  PetscObjectId id_ = 0;  ///< no matrix has it
+  PetscObjectState state_ = 0;
+};
 
 /// What PETSc calls for -pc_type Own::name. `Own` has a default constructor and
 ///   static constexpr const char* name
