@@ -143,8 +143,8 @@ PetscOptionList factor(int ranks) {
   return list;
 }
 
-/// One cycle over coarser grids, smoothed by two steps of GMRES with ILU(0) on each rank. Fixed smoothing takes three
-/// times the iterations: beside near-rigid parts it makes some errors larger.
+/// One cycle over coarser grids, smoothed by two steps of GMRES with ILU(0) on each rank. Fixed sweeps take three
+/// to six times the iterations.
 PetscOptionList geometric_multigrid(const std::string& face_axes, int ranks) {
   PetscOptionList list{{"pc_type", "staggered"},
                        {"pc_staggered_axes", face_axes},
