@@ -129,6 +129,16 @@ def data_file(silo, places):
     return "\n".join(lines) + "\n"
 
 
+def grain_commands(silo):
+    """Contacts between grains, and their motion."""
+    return f"""neighbor {0.2 * silo.diameter:g} bin
+neigh_modify delay 0 every 5 check yes
+pair_style granular
+pair_coeff * * {contact(silo, silo.restitution, silo.mass / 2)}
+timestep {silo.step():.8g}
+fix motion all nve/sphere"""
+
+
 def lammps_input(silo):
     """The input: settles, opens the slot at once, discharges. A plate 0.1 diameters thick is what remains of the floor."""
     every, frame = silo.steps_between()
@@ -141,12 +151,7 @@ boundary f f p
 newton off
 comm_modify vel yes
 read_data grains.data
-neighbor {0.2 * silo.diameter:g} bin
-neigh_modify delay 0 every 5 check yes
-pair_style granular
-pair_coeff * * {contact(silo, silo.restitution, silo.mass / 2)}
-timestep {silo.step():.8g}
-fix motion all nve/sphere
+{grain_commands(silo)}
 fix weight all gravity {GRAVITY:g} vector 0 -1 0
 fix sides all wall/gran granular {wall} xplane {-half:g} {half:g}
 fix floor all wall/gran granular {wall} yplane 0 NULL

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from scree.discrete_elements import ANAND, REFERENCE, TANGENTIAL, contact, write
+from scree.discrete_elements import ANAND, REFERENCE, TANGENTIAL, grain_commands, write
 
 COUNT = 8  # spheres along each axis
 FRACTIONS = (0.56, 0.575, 0.585, 0.595, 0.605)
@@ -44,12 +44,7 @@ create_atoms 1 box
 set group all diameter {silo.diameter:g}
 set group all density {silo.density:g}
 displace_atoms all random {0.04 * silo.diameter:g} {0.04 * silo.diameter:g} {0.04 * silo.diameter:g} {silo.seed} units box
-neighbor {0.2 * silo.diameter:g} bin
-neigh_modify delay 0 every 5 check yes
-pair_style granular
-pair_coeff * * {contact(silo, silo.restitution, silo.mass / 2)}
-timestep {silo.step():.8g}
-fix motion all nve/sphere
+{grain_commands(silo)}
 fix squeeze all deform 1 {box} remap x units box
 run {compress}
 unfix squeeze
