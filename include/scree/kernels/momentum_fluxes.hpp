@@ -92,19 +92,12 @@ struct NormalMomentumFlux {
     const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
     Number carried;
     if constexpr (Phase::second_order) {
-      const bool at_lower = scene.barrier(axis, I), at_upper = scene.barrier(axis, I + e);
-      const AdvectionMetrics h = face_metrics(scene, axis, I, at_lower, at_upper);
-      const Number &far_below = q(Phase::velocity(axis), -1 * e), &far_above = q(Phase::velocity(axis), 2 * e);
-      carried = along_slope(
-          F, below, above, h,
-          [&](const Number& middle) {
-            if (at_lower && Phase::brings(scene.kind(axis, I))) return middle;  // what comes in is given at the face
-            return van_albada(Number((below - far_below) / h.far_lower), middle);
-          },
-          [&](const Number& middle) {
-            if (at_upper && Phase::brings(scene.kind(axis, I + e))) return middle;
-            return van_albada(middle, Number((far_above - above) / h.far_upper));
-          });
+      const AdvectionMetrics h = face_metrics(scene, axis, I, scene.barrier(axis, I), scene.barrier(axis, I + e));
+      Number far_below = q(Phase::velocity(axis), -1 * e), far_above = q(Phase::velocity(axis), 2 * e);
+      // What comes in is given at the face: the line through both goes on beyond it.
+      if (comes_in(scene, I)) far_below = 2.0 * below - above;
+      if (comes_in(scene, I + e)) far_above = 2.0 * above - below;
+      carried = limited_upwind(F, far_below, below, above, far_above, h);
     } else {
       carried = upwind(F, below, above);
     }
@@ -125,6 +118,9 @@ struct NormalMomentumFlux {
   }
 
  private:
+  static bool comes_in(const Scene& scene, const Index& face) {
+    return scene.barrier(axis, face) && Phase::brings(scene.kind(axis, face));
+  }
   static bool lets_in_from_rest(const Scene& scene, const Index& face) {
     if (!scene.barrier(axis, face)) return false;
     const Condition& condition = scene.condition(axis, face);
@@ -230,20 +226,11 @@ struct CrossMomentumFlux {
                         const Number& F) {
     const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
     if constexpr (Phase::second_order) {
-      const AdvectionMetrics h = cell_metrics(scene, across, I);
-      const Number &far_below = q(Phase::velocity(axis), -2 * b), &far_above = q(Phase::velocity(axis), b);
-      return along_slope(
-          F, below, above, h,
-          [&](const Number& middle) {
-            if (comes_in(scene, I - b))
-              return van_albada(Number((below - brought_at(scene, I - b)) / h.lower_reach), middle);
-            return van_albada(Number((below - far_below) / h.far_lower), middle);
-          },
-          [&](const Number& middle) {
-            if (comes_in(scene, I + b))
-              return van_albada(middle, Number((brought_at(scene, I + b) - above) / h.upper_reach));
-            return van_albada(middle, Number((far_above - above) / h.far_upper));
-          });
+      AdvectionMetrics h = cell_metrics(scene, across, I);
+      Number far_below = q(Phase::velocity(axis), -2 * b), far_above = q(Phase::velocity(axis), b);
+      if (comes_in(scene, I - b)) far_below = Number(brought_at(scene, I - b)), h.far_lower = h.lower_reach;
+      if (comes_in(scene, I + b)) far_above = Number(brought_at(scene, I + b)), h.far_upper = h.upper_reach;
+      return limited_upwind(F, far_below, below, above, far_above, h);
     } else {
       return upwind(F, below, above);
     }
