@@ -1,5 +1,7 @@
 #include "scree/grid/lattice.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -142,7 +144,39 @@ PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stenci
   }
   if (box.dim > 1) PetscCall(DMDASetNumProcs(*dm, (*split)[0], (*split)[1], (*split)[2]));
   PetscCall(DMSetUp(*dm));
+  for (int axis = 0; axis < box.dim; ++axis) PetscCall(set_faces(*dm, axis, box.faces[axis]));
   return 0;
+}
+
+static std::string faces_key(int axis) { return "scree_faces_" + std::to_string(axis); }
+
+PetscErrorCode set_faces(DM dm, int axis, const std::vector<double>& faces) {
+  PetscFunctionBeginUser;
+  Vec positions;
+  PetscScalar* entries;
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(faces.size()), &positions));
+  PetscCall(VecGetArrayWrite(positions, &entries));
+  std::copy(faces.begin(), faces.end(), entries);
+  PetscCall(VecRestoreArrayWrite(positions, &entries));
+  PetscCall(PetscObjectCompose(reinterpret_cast<PetscObject>(dm), faces_key(axis).c_str(),
+                               reinterpret_cast<PetscObject>(positions)));
+  PetscCall(VecDestroy(&positions));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode get_faces(DM dm, int axis, int cells, std::vector<double>& faces) {
+  PetscFunctionBeginUser;
+  Vec positions;
+  const PetscScalar* entries;
+  PetscCall(PetscObjectQuery(reinterpret_cast<PetscObject>(dm), faces_key(axis).c_str(),
+                             reinterpret_cast<PetscObject*>(&positions)));
+  faces.resize(static_cast<std::size_t>(cells) + 1);
+  std::iota(faces.begin(), faces.end(), 0.0);
+  if (!positions) PetscFunctionReturn(0);
+  PetscCall(VecGetArrayRead(positions, &entries));
+  std::copy(entries, entries + cells + 1, faces.begin());
+  PetscCall(VecRestoreArrayRead(positions, &entries));
+  PetscFunctionReturn(0);
 }
 
 }  // namespace scree

@@ -22,63 +22,58 @@ NodeGrid::NodeGrid(DM dm) {
     first[axis] = static_cast<int>(at[axis]);
     count[axis] = static_cast<int>(size[axis]);
     periodic[axis] = ends[axis] == DM_BOUNDARY_PERIODIC;
+    PetscCallAbort(PETSC_COMM_SELF, get_faces(dm, axis, cells(axis), faces[axis]));
     owned[axis].assign(ranges[axis], ranges[axis] + parts[axis]);
   }
 }
 
-AxisWeights halved_cell(int i, int cells) { return {1, {i < cells ? i / 2 : (cells + 1) / 2, 0}, {1, 0}}; }
-
-AxisWeights halved_face(int i, int cells) {
-  if (i == cells) return {1, {(cells + 1) / 2, 0}, {1, 0}};
-  if (i % 2 == 0) return {1, {i / 2, 0}, {1, 0}};
-  return {2, {i / 2, i / 2 + 1}, {0.5, 0.5}};
-}
-
 namespace {
 
-constexpr int fewest_cells = 4;  ///< of an axis that is still halved
+constexpr int fewest_cells = 4;  ///< of an axis that is still coarsened
 
 /// Nodes of the coarse axis on each part of it: those whose faces the part has.
-std::vector<PetscInt> halved_ranges(const NodeGrid& fine, int axis) {
+std::vector<PetscInt> coarse_ranges(const NodeGrid& fine, int axis, const CoarseAxis& coarse) {
   std::vector<PetscInt> result;
-  PetscInt begin = 0;
+  PetscInt end = 0;
+  int node = 0;
+  const int nodes = coarse.cells() + (fine.periodic[axis] ? 0 : 1);
   for (const PetscInt count : fine.owned[axis]) {
-    const PetscInt end = begin + count, last = fine.cells(axis);
-    PetscInt found = (end + 1) / 2 - (begin + 1) / 2;  // even places
-    if (!fine.periodic[axis] && last % 2 == 1 && begin <= last && last < end) ++found;
-    result.push_back(found);
-    begin = end;
+    end += count;
+    const int begin = node;
+    while (node < nodes && coarse.first(node) < end) ++node;
+    result.push_back(node - begin);
   }
   return result;
 }
 
-bool can_be_halved(const NodeGrid& fine, int axis) {
-  if (axis >= fine.dim || fine.cells(axis) < fewest_cells) return false;
-  if (fine.periodic[axis] && fine.cells(axis) % 2 == 1) return false;
-  const auto ranges = halved_ranges(fine, axis);
-  return *std::min_element(ranges.begin(), ranges.end()) > 0;
+/// The axis as it is where a rank would be left without a node, or where it has few cells already.
+CoarseAxis coarsened(const NodeGrid& fine, int axis, double widest) {
+  if (axis >= fine.dim) return {{0, 1}, 0};
+  CoarseAxis wider(fine.faces[axis], widest);
+  const auto ranges = coarse_ranges(fine, axis, wider);
+  const bool possible = fine.cells(axis) >= fewest_cells && *std::min_element(ranges.begin(), ranges.end()) > 0;
+  return possible ? wider : CoarseAxis(fine.faces[axis], 0);
 }
 
 }  // namespace
 
-PetscErrorCode create_coarse_dm(DM fine_dm, PetscInt unknowns, DM* coarse) {
+std::array<CoarseAxis, max_dim> coarsened(const NodeGrid& fine, double widest) {
+  return {coarsened(fine, 0, widest), coarsened(fine, 1, widest), coarsened(fine, 2, widest)};
+}
+
+PetscErrorCode create_coarse_dm(DM fine_dm, const std::array<CoarseAxis, max_dim>& axes, PetscInt unknowns,
+                                DM* coarse) {
   PetscFunctionBeginUser;
   const NodeGrid fine(fine_dm);
   std::array<std::vector<PetscInt>, max_dim> ranges;
   PetscInt nodes[max_dim] = {1, 1, 1}, parts[max_dim] = {1, 1, 1};
   DMBoundaryType ends[max_dim] = {DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE};
-  bool any = false;
-  for (int axis = 0; axis < max_dim; ++axis) {
-    const bool halved = can_be_halved(fine, axis);
-    any = any || halved;
-    ranges[axis] = halved ? halved_ranges(fine, axis) : fine.owned[axis];
+  for (int axis = 0; axis < fine.dim; ++axis) {
+    ranges[axis] = coarse_ranges(fine, axis, axes[axis]);
     parts[axis] = static_cast<PetscInt>(ranges[axis].size());
-    if (axis < fine.dim && fine.periodic[axis]) ends[axis] = DM_BOUNDARY_PERIODIC;
-    nodes[axis] = 0;
-    for (const PetscInt count : ranges[axis]) nodes[axis] += count;
+    if (fine.periodic[axis]) ends[axis] = DM_BOUNDARY_PERIODIC;
+    nodes[axis] = axes[axis].cells() + (fine.periodic[axis] ? 0 : 1);
   }
-  *coarse = nullptr;
-  if (!any) PetscFunctionReturn(0);
   PetscCall(DMDACreate(PetscObjectComm(reinterpret_cast<PetscObject>(fine_dm)), coarse));
   PetscCall(DMSetDimension(*coarse, fine.dim));
   PetscCall(DMDASetSizes(*coarse, nodes[0], nodes[1], nodes[2]));
@@ -90,6 +85,7 @@ PetscErrorCode create_coarse_dm(DM fine_dm, PetscInt unknowns, DM* coarse) {
   PetscCall(DMDASetStencilType(*coarse, DMDA_STENCIL_BOX));
   PetscCall(DMDASetStencilWidth(*coarse, 1));
   PetscCall(DMSetUp(*coarse));
+  for (int axis = 0; axis < fine.dim; ++axis) PetscCall(set_faces(*coarse, axis, axes[axis].faces()));
   PetscFunctionReturn(0);
 }
 
@@ -98,7 +94,7 @@ namespace {
 /// Calls work(coarse node, weight) for the nodes from which unknown `face_axis` of node I has its value.
 class Parents {
  public:
-  Parents(const NodeGrid& fine, const NodeGrid& coarse) : fine_(fine), coarse_(coarse) {}
+  explicit Parents(const std::array<CoarseAxis, max_dim>& axes) : axes_(axes) {}
 
   template <class Work>
   void each(const Index& I, PetscInt face_axis, Work&& work) const {
@@ -123,12 +119,9 @@ class Parents {
 
  private:
   AxisWeights along(int axis, int i, PetscInt face_axis) const {
-    if (axis >= fine_.dim || fine_.nodes[axis] == coarse_.nodes[axis]) return {1, {i, 0}, {1, 0}};
-    if (face_axis == axis) return halved_face(i, fine_.cells(axis));
-    return halved_cell(i, fine_.cells(axis));
+    return face_axis == axis ? axes_[axis].face(i) : axes_[axis].cell(i);
   }
-  const NodeGrid& fine_;
-  const NodeGrid& coarse_;
+  const std::array<CoarseAxis, max_dim>& axes_;
 };
 
 /// The unknowns of a DMDA's nodes, ghosts among them, by their local and global numbers.
@@ -184,11 +177,11 @@ PetscErrorCode count_free(const NodeGrid& fine, const Parents& parents, const Nu
 
 }  // namespace
 
-PetscErrorCode create_interpolation(DM fine_dm, DM coarse_dm, const std::vector<PetscInt>& face_axis,
-                                    std::vector<char>& fixed, Mat* interpolation) {
+PetscErrorCode create_interpolation(DM fine_dm, DM coarse_dm, const std::array<CoarseAxis, max_dim>& axes,
+                                    const std::vector<PetscInt>& face_axis, std::vector<char>& fixed, Mat* interpolation) {
   PetscFunctionBeginUser;
-  const NodeGrid fine(fine_dm), coarse(coarse_dm);
-  const Parents parents(fine, coarse);
+  const NodeGrid fine(fine_dm);
+  const Parents parents(axes);
   const auto unknowns = static_cast<PetscInt>(face_axis.size());
   const Numbers numbers(coarse_dm, unknowns);
   const PetscScalar* free;

@@ -2,6 +2,9 @@
 
 #include <petscksp.h>
 
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "scree/stepping/shell_preconditioner.hpp"
@@ -15,6 +18,39 @@ namespace {
 struct Level {
   DM dm = nullptr;
   Mat matrix = nullptr, interpolation = nullptr;
+};
+
+/// How wide cells may become from grid to grid. The bound doubles, whatever the axis: cells that are flat, in places
+/// where one axis is graded and another is not, are first made wider across.
+class CellWidths {
+ public:
+  explicit CellWidths(DM finest) {
+    const NodeGrid grid(finest);
+    double narrowest = std::numeric_limits<double>::max();
+    for (int axis = 0; axis < grid.dim; ++axis)
+      for (std::size_t i = 1; i < grid.faces[axis].size(); ++i)
+        narrowest = std::min(narrowest, grid.faces[axis][i] - grid.faces[axis][i - 1]);
+    bound_ = pair * narrowest;
+  }
+
+  /// The axes of the next grid; nothing where no axis can have wider cells.
+  std::optional<std::array<CoarseAxis, max_dim>> next(DM dm) {
+    const NodeGrid fine(dm);
+    double longest = 0;
+    for (int axis = 0; axis < fine.dim; ++axis)
+      longest = std::max(longest, fine.faces[axis].back() - fine.faces[axis].front());
+    while (bound_ <= 2 * pair * longest) {
+      auto axes = coarsened(fine, bound_);
+      bound_ *= 2;
+      for (int axis = 0; axis < fine.dim; ++axis)
+        if (axes[axis].cells() < fine.cells(axis)) return axes;
+    }
+    return {};
+  }
+
+ private:
+  static constexpr double pair = 2.5;  ///< two cells of a graded axis, relative to the narrower one
+  double bound_;
 };
 
 class StaggeredMultigrid {
@@ -98,15 +134,15 @@ class StaggeredMultigrid {
     PetscCall(PetscOptionsGetIntArray(nullptr, prefix, "-pc_staggered_axes", axes.data(), &count, nullptr));
     PetscCall(PetscOptionsGetInt(nullptr, prefix, "-pc_staggered_coarse_eq_limit", &limit, nullptr));
     PetscCall(find_fixed(finest, fixed));
-    for (;;) {
+    for (CellWidths widths(levels_.front().dm);;) {
       PetscInt size;
       Level coarse;
       const Level fine = levels_.back();
       PetscCall(MatGetSize(fine.matrix, &size, nullptr));
-      if (size <= limit) break;
-      PetscCall(create_coarse_dm(fine.dm, unknowns, &coarse.dm));
-      if (!coarse.dm) break;
-      PetscCall(create_interpolation(fine.dm, coarse.dm, axes, fixed, &coarse.interpolation));
+      const auto wider = widths.next(fine.dm);
+      if (size <= limit || !wider) break;
+      PetscCall(create_coarse_dm(fine.dm, *wider, unknowns, &coarse.dm));
+      PetscCall(create_interpolation(fine.dm, coarse.dm, *wider, axes, fixed, &coarse.interpolation));
       PetscCall(MatPtAP(fine.matrix, coarse.interpolation, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &coarse.matrix));
       PetscCall(MatSetBlockSize(coarse.matrix, unknowns));
       levels_.push_back(coarse);

@@ -101,4 +101,9 @@ void for_each_offset(const Lattice& grid, Work&& work) {
 /// all ranks where the grid is too small for so many.
 PetscErrorCode create_dm(MPI_Comm comm, const Box& box, int unknowns, int stencil_width, DM* dm);
 
+/// Lets a DMDA know the faces of an axis, ascending, one more than cells [m]. create_dm does.
+PetscErrorCode set_faces(DM dm, int axis, const std::vector<double>& faces);
+/// The faces that a DMDA knows; those of cells of width 1 where it knows none.
+PetscErrorCode get_faces(DM dm, int axis, int cells, std::vector<double>& faces);
+
 }  // namespace scree

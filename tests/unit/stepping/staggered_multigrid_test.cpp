@@ -9,33 +9,15 @@
 namespace scree::test {
 namespace {
 
-double value(const AxisWeights& w, double (*of)(int)) {
-  double sum = 0;
-  for (int k = 0; k < w.count; ++k) sum += w.weight[k] * of(w.place[k]);
-  return sum;
-}
-
-TEST(AxisWeights, FacesHaveTheLineThroughTheCoarseOnes) {
-  for (const int cells : {8, 7})
-    for (int i = 0; i < cells; ++i) EXPECT_EQ(value(halved_face(i, cells), [](int c) { return 2.0 * c; }), i) << cells;
-  EXPECT_EQ(halved_face(7, 7).place[0], 4) << "the upper side stays where it is";
-  EXPECT_EQ(halved_face(7, 7).count, 1);
-}
-
-TEST(AxisWeights, CellsHaveTheirCoarseCellAndPaddingThePadding) {
-  EXPECT_EQ(halved_cell(5, 8).place[0], 2);
-  EXPECT_EQ(halved_cell(6, 7).place[0], 3) << "alone in its coarse cell";
-  EXPECT_EQ(halved_cell(8, 8).place[0], 4);
-  EXPECT_EQ(halved_cell(7, 7).place[0], 4);
-}
-
-/// A grid of so many cells an axis for `unknowns` a node, spread over the ranks, and the one with half the cells.
+/// A grid of so many cells an axis for `unknowns` a node, spread over the ranks, and the one with half the cells along each.
 struct TwoGrids {
   TwoGrids(int dim, std::array<int, max_dim> cells, bool periodic, int unknowns) {
     Box box = uniform_box(dim, cells);
     box.periodic[0] = periodic;
     check(create_dm(PETSC_COMM_WORLD, box, unknowns, 2, &fine));
-    check(create_coarse_dm(fine, unknowns, &coarse));
+    const NodeGrid grid(fine);
+    axes = coarsened(grid, 2.5 * (grid.faces[0][1] - grid.faces[0][0]));
+    check(create_coarse_dm(fine, axes, unknowns, &coarse));
   }
   ~TwoGrids() {
     (void)DMDestroy(&fine);
@@ -44,6 +26,7 @@ struct TwoGrids {
   TwoGrids(const TwoGrids&) = delete;
   TwoGrids& operator=(const TwoGrids&) = delete;
   DM fine = nullptr, coarse = nullptr;
+  std::array<CoarseAxis, max_dim> axes{CoarseAxis({0, 1}, 0), CoarseAxis({0, 1}, 0), CoarseAxis({0, 1}, 0)};
 };
 
 /// Entries of the vector of interpolated values, of which `values` are those of the coarse grid.
@@ -72,14 +55,13 @@ TEST(StaggeredInterpolation, KeepsConstants) {
       std::vector<PetscInt> axes{-1};
       for (int axis = 0; axis < dim; ++axis) axes.push_back(axis);
       TwoGrids grids(dim, {periodic ? 12 : 13, 7, 6}, periodic, static_cast<int>(axes.size()));
-      ASSERT_NE(grids.coarse, nullptr);
       const NodeGrid coarse(grids.coarse);
       EXPECT_EQ(coarse.cells(0), periodic ? 6 : 7);
       EXPECT_EQ(coarse.cells(1), 4);
       const NodeGrid fine(grids.fine);
       std::vector<char> fixed(static_cast<std::size_t>(fine.count[0] * fine.count[1] * fine.count[2]) * axes.size(), 0);
       Mat P;
-      check(create_interpolation(grids.fine, grids.coarse, axes, fixed, &P));
+      check(create_interpolation(grids.fine, grids.coarse, grids.axes, axes, fixed, &P));
       for (const double one : interpolated(P, [](PetscInt) { return 1.0; })) EXPECT_NEAR(one, 1, 1e-14);
       EXPECT_EQ(std::count(fixed.begin(), fixed.end(), 1), 0);
       check(MatDestroy(&P));
@@ -98,7 +80,7 @@ TEST(StaggeredInterpolation, LeavesOutWhatIsFixed) {
   });
   const auto before = fixed;
   Mat P;
-  check(create_interpolation(grids.fine, grids.coarse, {-1, 0, 1}, fixed, &P));
+  check(create_interpolation(grids.fine, grids.coarse, grids.axes, {-1, 0, 1}, fixed, &P));
   const auto ones = interpolated(P, [](PetscInt) { return 1.0; });
   std::size_t row = 0;
   for_each_node(fine.first, fine.count, [&](const Index& I) {
