@@ -86,7 +86,8 @@ std::string Simulation::solver_name() const {
 }
 
 PetscOptionList Simulation::solver_options() const {
-  return preset_options(preset(), problem_.model().fields(), ranks_of(PETSC_COMM_WORLD), fill());
+  return preset_options(preset(), problem_.model().fields(),
+                        {ranks_of(PETSC_COMM_WORLD), fill(), problem_.setup().model.gravity, cells_of(case_.box)});
 }
 
 void Simulation::print_solver() const {

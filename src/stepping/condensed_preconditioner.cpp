@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "scree/stepping/condensation.hpp"
+#include "scree/stepping/grid_of_nodes.hpp"
 #include "scree/stepping/shell_preconditioner.hpp"
 #include "scree/stepping/staggered_multigrid.hpp"
 
@@ -89,7 +90,7 @@ class CondensedPreconditioner {
     eliminated.resize(static_cast<std::size_t>(count));
     condensation_ = std::make_unique<Condensation>();
     PetscCall(condensation_->create(matrix, eliminated));
-    PetscCall(give_grid(pc, condensation_->core()));
+    PetscCall(give_grid(pc));
     PetscCall(create_solver(pc, prefix, "condensed_core_", condensation_->core(), &core_));
     PetscCall(create_solver(pc, prefix, "condensed_rest_", condensation_->rest(), &rest_));
     PetscCall(MatCreateVecs(condensation_->core(), &x_core_, &y_core_));
@@ -113,13 +114,12 @@ class CondensedPreconditioner {
 
   /// For preconditioners that need to know the nodes. The solver itself is not told: multigrid of PETSc's would take
   /// the grid, which has more unknowns, for that of its matrix.
-  static PetscErrorCode give_grid(PC pc, Mat core) {
+  PetscErrorCode give_grid(PC pc) {
     PetscFunctionBeginUser;
     DM dm;
     PetscCall(PCGetDM(pc, &dm));
-    if (dm)
-      PetscCall(
-          PetscObjectCompose(reinterpret_cast<PetscObject>(core), grid_of_nodes, reinterpret_cast<PetscObject>(dm)));
+    if (!dm) PetscFunctionReturn(0);
+    for (Mat block : {condensation_->core(), condensation_->rest()}) PetscCall(set_grid_of_nodes(block, dm));
     PetscFunctionReturn(0);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scree/balances/layout.hpp"
+#include "scree/stepping/grid_of_nodes.hpp"
 
 namespace scree {
 
@@ -164,6 +165,7 @@ PetscErrorCode DiscreteProblem::create_matrix() {
   PetscCall(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
   PetscCall(MatSetOption(matrix_, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
+  PetscCall(set_grid_of_nodes(matrix_, dm_));
   PetscFunctionReturn(0);
 }
 

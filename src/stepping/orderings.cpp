@@ -3,7 +3,11 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
+
+#include "scree/grid/index.hpp"
+#include "scree/stepping/grid_of_nodes.hpp"
 
 namespace scree {
 
@@ -19,14 +23,37 @@ PetscErrorCode give_order(PetscInt size, PetscInt* order, IS* rows, IS* columns)
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode last_node_first(Mat A, MatOrderingType, IS* rows, IS* columns) {
+/// The nodes of a rank from the first to the last, column by column along `axis`; as they are where their grid is not
+/// known.
+PetscErrorCode nodes_by_columns(Mat A, int axis, PetscInt count, std::vector<PetscInt>& nodes) {
+  PetscFunctionBeginUser;
+  PetscInt size[max_dim] = {0, 0, 0};
+  DM dm;
+  nodes.resize(static_cast<std::size_t>(count));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  PetscCall(get_grid_of_nodes(A, &dm));
+  if (dm) PetscCall(DMDAGetCorners(dm, nullptr, nullptr, nullptr, &size[0], &size[1], &size[2]));
+  if (size[0] * size[1] * size[2] != count) PetscFunctionReturn(0);
+  const PetscInt stride = axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
+  std::stable_sort(nodes.begin(), nodes.end(), [&](PetscInt a, PetscInt b) {
+    return a - a / stride % size[axis] * stride < b - b / stride % size[axis] * stride;  // the foot of the column
+  });
+  PetscFunctionReturn(0);
+}
+
+template <int axis>
+PetscErrorCode columns_along(Mat A, MatOrderingType, IS* rows, IS* columns) {
   PetscFunctionBeginUser;
   PetscInt size, unknowns;
   PetscInt* order;
+  std::vector<PetscInt> nodes;
   PetscCall(MatGetLocalSize(A, &size, nullptr));
   PetscCall(MatGetBlockSize(A, &unknowns));
+  PetscCall(nodes_by_columns(A, axis, size / unknowns, nodes));
   PetscCall(PetscMalloc1(size, &order));
-  for (PetscInt k = 0; k < size; ++k) order[k] = size - unknowns - k / unknowns * unknowns + k % unknowns;
+  PetscInt* next = order;
+  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+    for (PetscInt c = 0; c < unknowns; ++c) *next++ = *node * unknowns + c;
   PetscCall(give_order(size, order, rows, columns));
   PetscFunctionReturn(0);
 }
@@ -78,7 +105,9 @@ PetscErrorCode metis_nested_dissection(Mat A, MatOrderingType, IS* rows, IS* col
 
 PetscErrorCode register_orderings() {
   PetscFunctionBeginUser;
-  PetscCall(MatOrderingRegister("last_node_first", last_node_first));
+  PetscCall(MatOrderingRegister("columns_x", columns_along<0>));
+  PetscCall(MatOrderingRegister("columns_y", columns_along<1>));
+  PetscCall(MatOrderingRegister("columns_z", columns_along<2>));
   PetscCall(MatOrderingRegister("metis", metis_nested_dissection));
   PetscFunctionReturn(0);
 }

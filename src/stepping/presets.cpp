@@ -1,8 +1,10 @@
 #include "scree/stepping/presets.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scree/balances/layout.hpp"
+#include "scree/grid/axis_name.hpp"
 
 namespace scree {
 
@@ -72,14 +74,6 @@ PetscOptionList gmres(const std::string& tolerance, const std::string& most_iter
 const PetscOptionList flexible_gmres{
     {"ksp_type", "fgmres"}, {"ksp_gmres_restart", "60"}, {"ksp_max_it", "100"}, {"ksp_rtol", "1e-2"}};
 
-/// For ILU alone, whose many iterations would be a fifth orthogonalisation and 2 kB a cell with GMRES. Its factor is
-/// made at every Newton iteration: that costs eight iterations and saves more.
-const PetscOptionList bicgstab{{"ksp_type", "bcgs"},
-                               {"ksp_pc_side", "right"},
-                               {"ksp_max_it", "150"},
-                               {"ksp_rtol", "3e-2"},
-                               {"snes_lag_preconditioner", "1"}};
-
 /// The options of `list` for the solver of a block.
 PetscOptionList with_prefix(const std::string& prefix, const PetscOptionList& list) {
   PetscOptionList result;
@@ -143,25 +137,32 @@ PetscOptionList factor(int ranks) {
   return list;
 }
 
-/// One cycle over coarser grids, smoothed by two steps of GMRES with ILU(0) on each rank. Fixed sweeps take three
-/// to six times the iterations.
-PetscOptionList geometric_multigrid(const std::string& face_axes, int ranks) {
+/// One cycle over coarser grids, smoothed by two steps of GMRES with an incomplete factor on each rank: ILU(0) in
+/// space, ILU(1) in the plane, where cells are flatter. Fixed sweeps take three to six times the iterations.
+PetscOptionList geometric_multigrid(const std::string& face_axes, int dim, int ranks, const PetscOptionList& ordering) {
   PetscOptionList list{{"pc_type", "staggered"},
                        {"pc_staggered_axes", face_axes},
                        {"staggered_mg_levels_ksp_type", "gmres"},
                        {"staggered_mg_levels_ksp_max_it", "2"},
                        {"staggered_mg_levels_pc_type", "bjacobi"},
                        {"staggered_mg_levels_sub_pc_type", "ilu"},
-                       {"staggered_mg_levels_sub_pc_factor_levels", "0"},
+                       {"staggered_mg_levels_sub_pc_factor_levels", dim > 2 ? "0" : "1"},
                        {"staggered_mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+  for (const auto& option : with_prefix("staggered_mg_levels_sub_", ordering)) list.push_back(option);
   for (const auto& option : with_prefix("staggered_mg_coarse_", factor(ranks))) list.push_back(option);
   return list;
 }
 
-/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, has ILU(1). The core
-/// has a factor, and in three dimensions, where factors are dear, multigrid. Where a scene has none of the three the
-/// core is all there is.
-PetscOptionList condensed(const std::vector<Field>& node, int dim, int ranks) {
+/// A factor is made on one rank, a cycle of multigrid by all: the factor of a plane core takes less time up to about
+/// this product of cells and ranks.
+constexpr double factored_cells = 25000;
+
+/// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, is solved for by GMRES
+/// with ILU(1): with one application of that the whole takes twice the iterations, and on blocks of eight ranks five
+/// times. The core has a factor, and where factors are dear, multigrid. Where a scene has none of the three the core is
+/// all there is.
+PetscOptionList condensed(const std::vector<Field>& node, int dim, const PresetScene& scene,
+                          const PetscOptionList& ordering) {
   std::string eliminated, face_axes;
   const auto append = [](std::string& list, int number) { list += (list.empty() ? "" : ",") + std::to_string(number); };
   for (const Field& field : node)
@@ -169,20 +170,29 @@ PetscOptionList condensed(const std::vector<Field>& node, int dim, int ranks) {
       append(eliminated, field.component);
     else
       append(face_axes, field.face_axis);
-  PetscOptionList core = dim > 2 ? geometric_multigrid(face_axes, ranks) : factor(ranks);
+  const bool factored = dim < 3 && scene.cells * scene.ranks < factored_cells;
+  PetscOptionList core = factored ? factor(scene.ranks) : geometric_multigrid(face_axes, dim, scene.ranks, ordering);
   if (eliminated.empty()) return core;
   PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
   for (const auto& option : with_prefix("condensed_core_", core)) list.push_back(option);
+  for (const auto& option : with_prefix("condensed_rest_", gmres("1e-2", "20"))) list.push_back(option);
   for (const auto& option : with_prefix("condensed_rest_", ilu_block)) list.push_back(option);
+  for (const auto& option : with_prefix("condensed_rest_sub_", ordering)) list.push_back(option);
   return list;
 }
 
-/// One ILU(2) a rank for all unknowns, p_g among them.
-const PetscOptionList gas_ilu{{"sub_pc_factor_levels", "2"}, {"sub_pc_factor_mat_ordering_type", "last_node_first"}};
+/// The order in which an incomplete factor takes the nodes: columns along gravity, or along the last axis, see
+/// orderings.hpp. In that of the rows, on graded cells, it takes four to ten times the iterations.
+PetscOptionList column_ordering(const std::array<double, max_dim>& gravity, int dim) {
+  int axis = dim - 1;
+  for (int a = 0; a < dim; ++a)
+    if (std::abs(gravity[a]) > std::abs(gravity[axis])) axis = a;
+  return {{"pc_factor_mat_ordering_type", "columns_" + axis_name(axis)}};
+}
 
 }  // namespace
 
-PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, int ranks, int fill) {
+PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& node, const PresetScene& scene) {
   const auto unknowns = static_cast<int>(node.size());
   int gas_pressure = -1, dim = 0;
   for (const Field& field : node) {
@@ -191,6 +201,7 @@ PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& no
   }
   PetscOptionList list = newton;
   const bool gas = gas_pressure >= 0;
+  const PetscOptionList columns = column_ordering(scene.gravity, std::max(dim, 1));
   const auto append = [&](const PetscOptionList& more) {  // what is there already wins
     for (const auto& option : more)
       if (std::none_of(list.begin(), list.end(), [&](const auto& o) { return o.first == option.first; }))
@@ -201,21 +212,22 @@ PetscOptionList preset_options(SolverPreset preset, const std::vector<Field>& no
       append(direct);
       break;
     case SolverPreset::ilu:
-      append(gas ? gmres("1e-2", "300") : bicgstab);
-      if (gas) append(gas_ilu);
-      append(ilu_block_with(dim > 2 ? 0 : 1));  // in space a set-up of ILU(1) costs ten of ILU(0)
+      append(gmres("1e-2", gas ? "300" : "150"));
+      append(with_prefix("sub_", columns));
+      append(ilu_block_with(gas ? 2 : dim > 2 ? 0 : 1));  // in space a set-up of ILU(1) costs ten of ILU(0)
       break;
     case SolverPreset::multigrid:
       append(gas ? gmres("1e-2", "200") : gmres("3e-2", "100"));
+      if (!gas) append(with_prefix("mg_levels_sub_", columns));
       append(gas ? gas_fieldsplit(unknowns, gas_pressure, multigrid_block) : multigrid_block);
       break;
     case SolverPreset::fieldsplit:
       if (gas) append(gmres("1e-2", "200"));
-      append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block_with(fill)) : solids_fieldsplit(unknowns));
+      append(gas ? gas_fieldsplit(unknowns, gas_pressure, ilu_block_with(scene.fill)) : solids_fieldsplit(unknowns));
       break;
     case SolverPreset::condensed:
-      append(dim > 2 ? flexible_gmres : gmres("1e-2", "100"));
-      append(condensed(node, dim, ranks));
+      append(flexible_gmres);
+      append(condensed(node, dim, scene, columns));
       break;
   }
   return list;

@@ -13,11 +13,11 @@ double factor_growth(double cells, double measured_cells, int ranks) {
 }
 
 std::vector<SolverCandidate> without_gas(int dim, double cells, int ranks) {
-  if (dim == 3) return {{SolverPreset::ilu, 0, 4.5, 1, 5, 1}, {SolverPreset::condensed, 0, 10, 2.2, 5, 0.35, true}};
+  if (dim == 3) return {{SolverPreset::ilu, 0, 8, 1, 10, 0.35}, {SolverPreset::condensed, 0, 26, 5.5, 5, 0.35, true}};
   const double growth = factor_growth(cells, 2500, ranks);
-  return {{SolverPreset::ilu, 0, 3, 1, 5, 1},
-          {SolverPreset::condensed, 0, 18 * growth, 2.7 * std::sqrt(growth), 4, 0.35, true},
-          {SolverPreset::multigrid, 0, 6, 1.4, 15, 0.35}};
+  return {{SolverPreset::ilu, 0, 10, 1, 10, 0.35},
+          {SolverPreset::condensed, 0, 26 * growth, 3.3 * std::sqrt(growth), 4, 0.35, true},
+          {SolverPreset::multigrid, 0, 15, 2.5, 10, 0.35}};
 }
 
 std::vector<SolverCandidate> with_gas(int dim, double cells, int ranks) {
@@ -27,7 +27,7 @@ std::vector<SolverCandidate> with_gas(int dim, double cells, int ranks) {
   return {{SolverPreset::fieldsplit, 0, 10, 1, 8, 0.35},
           {SolverPreset::fieldsplit, 1, 16, 1.2, 8, 0.35},
           {SolverPreset::multigrid, 0, 22, 2.2, 15, 0.35},
-          {SolverPreset::condensed, 0, 80 * growth, 7 * std::sqrt(growth), 6, 0.35, true}};
+          {SolverPreset::condensed, 0, 40 * growth, 4 * std::sqrt(growth), 6, 0.35, true}};
 }
 
 }  // namespace

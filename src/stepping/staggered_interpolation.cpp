@@ -178,7 +178,8 @@ PetscErrorCode count_free(const NodeGrid& fine, const Parents& parents, const Nu
 }  // namespace
 
 PetscErrorCode create_interpolation(DM fine_dm, DM coarse_dm, const std::array<CoarseAxis, max_dim>& axes,
-                                    const std::vector<PetscInt>& face_axis, std::vector<char>& fixed, Mat* interpolation) {
+                                    const std::vector<PetscInt>& face_axis, std::vector<char>& fixed,
+                                    Mat* interpolation) {
   PetscFunctionBeginUser;
   const NodeGrid fine(fine_dm);
   const Parents parents(axes);

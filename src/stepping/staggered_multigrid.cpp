@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "scree/stepping/grid_of_nodes.hpp"
 #include "scree/stepping/shell_preconditioner.hpp"
 #include "scree/stepping/staggered_interpolation.hpp"
 
@@ -111,8 +112,7 @@ class StaggeredMultigrid {
     DM dm;
     const char* prefix;
     PetscCall(clear());
-    PetscCall(
-        PetscObjectQuery(reinterpret_cast<PetscObject>(matrix), grid_of_nodes, reinterpret_cast<PetscObject*>(&dm)));
+    PetscCall(get_grid_of_nodes(matrix, &dm));
     if (!dm) PetscCall(PCGetDM(pc, &dm));
     PetscCall(PCGetOptionsPrefix(pc, &prefix));
     PetscCheck(dm, PetscObjectComm(reinterpret_cast<PetscObject>(pc)), PETSC_ERR_ORDER,
@@ -145,6 +145,7 @@ class StaggeredMultigrid {
       PetscCall(create_interpolation(fine.dm, coarse.dm, *wider, axes, fixed, &coarse.interpolation));
       PetscCall(MatPtAP(fine.matrix, coarse.interpolation, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &coarse.matrix));
       PetscCall(MatSetBlockSize(coarse.matrix, unknowns));
+      PetscCall(set_grid_of_nodes(coarse.matrix, coarse.dm));
       levels_.push_back(coarse);
     }
     PetscFunctionReturn(0);

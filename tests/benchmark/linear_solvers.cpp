@@ -240,7 +240,9 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   ScopedOptions of_preset;
   int ranks, cells = 1;
   MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
-  check(of_preset.set("", preset_options(scene.solver.preset, problem.model().fields(), ranks)));
+  for (int axis = 0; axis < scene.box.dim; ++axis) cells *= scene.box.cells(axis);
+  check(of_preset.set("", preset_options(scene.solver.preset, problem.model().fields(),
+                                         {ranks, 0, problem.setup().model.gravity, static_cast<double>(cells)})));
 
   Solver solver(system, problem.dm());
   const double first = solver.set_up();
@@ -249,10 +251,8 @@ void run(const std::string& directory, const Options& options, const CaseInput& 
   const Solution loose = solver.solve(0, options.repeat), tight = solver.solve(tight_tolerance, 1);
 
   std::string grid;
-  for (int axis = 0; axis < scene.box.dim; ++axis) {
-    cells *= scene.box.cells(axis);
+  for (int axis = 0; axis < scene.box.dim; ++axis)
     grid += (axis > 0 ? "x" : "") + std::to_string(scene.box.cells(axis));
-  }
   const double memory = peak_memory();
   if (options.header) print_header();
   PetscPrintf(PETSC_COMM_WORLD,

@@ -153,7 +153,7 @@ class ManufacturedProblem {
     });
     check(VecRestoreArray(source_, &source));
     check(VecRestoreArray(exact_values_, &exact));
-    // What ILU needs in three dimensions, see last_node_first in stepping/orderings.hpp.
+    // What ILU needs in three dimensions, see columns_x in stepping/orderings.hpp.
     const int unknowns = model().unknowns();
     if (dim() == 3)
       std::stable_sort(free.begin(), free.end(), [&](PetscInt a, PetscInt b) { return a / unknowns > b / unknowns; });

@@ -16,7 +16,8 @@ std::vector<double> uniform(int cells) {
 double position(const AxisWeights& w, const std::vector<double>& faces) {
   double sum = 0;
   for (int k = 0; k < w.count; ++k)
-    sum += w.weight[static_cast<std::size_t>(k)] * faces[static_cast<std::size_t>(w.place[static_cast<std::size_t>(k)])];
+    sum +=
+        w.weight[static_cast<std::size_t>(k)] * faces[static_cast<std::size_t>(w.place[static_cast<std::size_t>(k)])];
   return sum;
 }
 

@@ -44,7 +44,7 @@ TEST_F(Presets, GiveWayToTheUser) {
   check(options.set("", preset_options(SolverPreset::ilu, without_gas)));
   EXPECT_EQ(value("-ksp_rtol"), "1e-9");
   EXPECT_EQ(value("-pc_type"), "asm");
-  EXPECT_EQ(value("-ksp_type"), "bcgs");
+  EXPECT_EQ(value("-ksp_type"), "gmres");
   check(options.clear());
 }
 
@@ -97,8 +97,9 @@ TEST_F(Presets, NameNoOptionTwice) {
 
 TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
   for (const int fill : {0, 1})
-    EXPECT_EQ(option(preset_options(SolverPreset::fieldsplit, with_gas, 1, fill), "fieldsplit_0_sub_pc_factor_levels"),
-              std::to_string(fill));
+    EXPECT_EQ(
+        option(preset_options(SolverPreset::fieldsplit, with_gas, {1, fill}), "fieldsplit_0_sub_pc_factor_levels"),
+        std::to_string(fill));
 }
 
 /// nu, v (and p_g) stay; what acts in its node goes.
@@ -118,10 +119,28 @@ TEST_F(Presets, CondensedWithNothingToEliminateIsItsCore) {
       "staggered");
 }
 
+TEST_F(Presets, IncompleteFactorsTakeColumnsAlongGravity) {
+  const char* name = "sub_pc_factor_mat_ordering_type";
+  EXPECT_EQ(option(preset_options(SolverPreset::ilu, without_gas), name), "columns_y") << "without gravity";
+  EXPECT_EQ(option(preset_options(SolverPreset::ilu, without_gas, {1, 0, {-9, 1, 0}}), name), "columns_x");
+  EXPECT_EQ(option(preset_options(SolverPreset::ilu, in_space, {1, 0, {-9, 1, 0}}), name), "columns_x");
+  EXPECT_EQ(option(preset_options(SolverPreset::ilu, in_space), name), "columns_z");
+}
+
+TEST_F(Presets, CondensedHasMultigridWhereAFactorIsDear) {
+  const auto core = [](double cells, int ranks) {
+    return option(preset_options(SolverPreset::condensed, without_gas, {ranks, 0, {}, cells}),
+                  "condensed_core_pc_type");
+  };
+  EXPECT_EQ(core(2500, 1), "lu");
+  EXPECT_EQ(core(1e5, 1), "staggered");
+  EXPECT_EQ(core(1e4, 4), "staggered");
+}
+
 TEST_F(Presets, CondensedHasAFactorInThePlaneAndMultigridInSpace) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "condensed_core_pc_type"), "lu");
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, in_space), "condensed_core_pc_type"), "staggered");
-  const PetscOptionList on_four = preset_options(SolverPreset::condensed, without_gas, 4);
+  const PetscOptionList on_four = preset_options(SolverPreset::condensed, without_gas, {4});
   EXPECT_EQ(option(on_four, "condensed_core_pc_type"), "telescope");
   EXPECT_EQ(option(on_four, "condensed_core_pc_telescope_reduction_factor"), "4");
   EXPECT_EQ(option(on_four, "condensed_core_telescope_pc_type"), "lu");

@@ -9,7 +9,8 @@
 namespace scree::test {
 namespace {
 
-/// A grid of so many cells an axis for `unknowns` a node, spread over the ranks, and the one with half the cells along each.
+/// A grid of so many cells an axis for `unknowns` a node, spread over the ranks, and the one with half the cells along
+/// each.
 struct TwoGrids {
   TwoGrids(int dim, std::array<int, max_dim> cells, bool periodic, int unknowns) {
     Box box = uniform_box(dim, cells);
