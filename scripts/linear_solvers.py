@@ -5,8 +5,10 @@
 
 Makes the states by running scree on the cases, forms and solves the systems by linear_solvers, and writes a line each to
 the CSV file and a table, Markdown, beside it. What the file holds already is not done again. `asm` is `ilu` with an
-overlap of one node between ranks; `filled` is `fieldsplit` with ILU(1), which a run takes where ILU(0) takes many
-iterations; in space `ilu1` is `ilu` with ILU(1), and `condensed_gamg` has aggregation multigrid for the core."""
+overlap of one node between ranks; `natural` is `ilu` with the nodes in the order of the rows, not by columns; `filled` is
+`fieldsplit` with ILU(1), which a run takes where ILU(0) takes many iterations; in space `ilu1` is `ilu` with ILU(1), and
+`condensed_gamg` has aggregation multigrid for the core. A second table compares factors of the core of `condensed`:
+`mumps_amf`, `umfpack` (with AMD), `umfpack_metis` and `petsc_metis` against its own, MUMPS with PORD."""
 import argparse
 import csv
 import subprocess
@@ -21,12 +23,22 @@ PRESETS = ("direct", "ilu", "multigrid", "fieldsplit", "condensed")
 #: Changes of presets.
 VARIANTS = {
     "asm": ("ilu", "-pc_type", "asm", "-pc_asm_overlap", "1"),
+    "natural": ("ilu", "-sub_pc_factor_mat_ordering_type", "natural"),
     "filled": ("fieldsplit", "-fieldsplit_0_sub_pc_factor_levels", "1"),
     "ilu1": ("ilu", "-sub_pc_factor_levels", "1"),
     "condensed_gamg": ("condensed", "-condensed_core_pc_type", "gamg", "-condensed_core_pc_gamg_type", "agg",
                        "-condensed_core_pc_gamg_agg_nsmooths", "0", "-condensed_core_pc_gamg_coarse_eq_limit", "5000",
                        "-condensed_core_mg_levels_ksp_type", "gmres", "-condensed_core_mg_levels_ksp_max_it", "2",
                        "-condensed_core_mg_levels_pc_type", "bjacobi", "-condensed_core_mg_levels_sub_pc_type", "ilu"),
+}
+#: Factors of the core of `condensed`. CHOLMOD's are for symmetric matrices, which the core is not.
+CORES = {
+    "mumps_amf": ("condensed", "-condensed_core_mat_mumps_icntl_7", "2"),
+    "umfpack": ("condensed", "-condensed_core_pc_factor_mat_solver_type", "umfpack", "-condensed_core_mat_umfpack_ordering", "AMD"),
+    "umfpack_metis": ("condensed", "-condensed_core_pc_factor_mat_solver_type", "umfpack",
+                      "-condensed_core_mat_umfpack_ordering", "METIS"),
+    "petsc_metis": ("condensed", "-condensed_core_pc_factor_mat_solver_type", "petsc",
+                    "-condensed_core_pc_factor_mat_ordering_type", "metis"),
 }
 STEPS = (1e-3, 1e-2)
 RANKS = (2, 4, 8, 16)
@@ -54,7 +66,7 @@ STATES = {
     "bin_3d_twice": State("cases/bin_3d/case.yaml", 0.03, FINER, "bin_3d"),
 }
 IN_SPACE = ("bin_3d", "bin_3d_twice")
-RANK_STATES = ("bin_twice", "bin_3d_twice")
+RANK_STATES = ("bin_twice", "bin_paper_grid", "bin_3d_twice")
 GAS_STATES = ("fine_bin_air", "bubble")
 KEY = ("state", "dt", "ranks", "preset")
 
@@ -69,14 +81,16 @@ def arguments():
 
 
 def solvers(state, ranks):
-    """Presets, and their variants where they differ: an overlap between ranks, fill with gas, the core in space."""
+    """Presets, and their variants where they differ: an overlap between ranks, fill with gas, the core in space, the order
+    of nodes."""
     return [*PRESETS, *["asm"] * (ranks > 1), *["filled"] * (state in GAS_STATES),
-            *["ilu1", "condensed_gamg"] * (state in IN_SPACE)]
+            *["natural"] * (state not in GAS_STATES), *["ilu1", "condensed_gamg"] * (state in IN_SPACE)]
 
 
 def systems():
-    """Keys of all systems: state x step x solver on one rank, two states on several."""
+    """Keys of all systems: state x step x solver on one rank, some states on several, factors of the core in the plane."""
     keys = [(state, dt, 1, solver) for state in STATES for dt in STEPS for solver in solvers(state, 1)]
+    keys += [(state, 1e-2, 1, core) for state in STATES for core in CORES if state not in IN_SPACE]
     return keys + [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS
                    for solver in solvers(state, ranks)]
 
@@ -108,7 +122,7 @@ def solve(given, key):
     """The row of a system; its reason is `limit` or `failed` where no line came."""
     state, dt, ranks, preset = key
     row = dict(zip(KEY, key))
-    solver, *more = VARIANTS.get(preset, (preset,))
+    solver, *more = {**VARIANTS, **CORES}.get(preset, (preset,))
     command = [*program.launcher(ranks), given.build / "bin" / "linear_solvers", make_state(given, state),
                "-dt", str(dt), "-solver", solver, "-scene", state, "-header", *more]
     try:
@@ -137,10 +151,9 @@ def entry(row):
     return f"{loose} ({tight}) / {float(row['setup_again_s']):.2g} + {float(row['solve_s']):.2g}"
 
 
-def table(rows):
-    """Markdown: a line a scene, grid, step and number of ranks; a column a preset."""
-    found = {key_of(row): row for row in rows}
-    columns = (*PRESETS, *VARIANTS)
+def table(rows, columns=(*PRESETS, *VARIANTS)):
+    """Markdown: a line a scene, grid, step and number of ranks; a column a preset or variant."""
+    found = {key_of(row): row for row in rows if row["preset"] in columns}
     lines = ["iterations to the preset's tolerance (to 1e-5) / CPU seconds of set-up on a known pattern + solution", "",
              "| state | grid | dt | ranks | " + " | ".join(columns) + " |", "|---" * (4 + len(columns)) + "|"]
     order = list(STATES)
@@ -166,7 +179,9 @@ def main():
             writer = csv.DictWriter(file, columns(), extrasaction="ignore", lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
-    given.csv.with_suffix(".md").write_text(table(rows))
+    plane = [row for row in rows if key_of(row)[1:3] == (1e-2, 1) and row["state"] not in IN_SPACE]
+    cores = table(plane, ("condensed", *CORES))
+    given.csv.with_suffix(".md").write_text(f"{table(rows)}\nFactors of the core of `condensed`\n\n{cores}")
 
 
 if __name__ == "__main__":

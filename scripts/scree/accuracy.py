@@ -49,11 +49,11 @@ class Scene:
 
 
 SCENES = (
-    Scene("1 mm bin", "bin_discharge/coarse.yaml", {**SMALL_BIN, "end_time": 0.3, "output_interval": 0.3}, bin_values),
-    Scene("100 um bin with air", "bin_discharge_fine/case.yaml", {**SMALL_BIN, "end_time": 0.2, "output_interval": 0.2},
+    Scene("1 mm bin", "bin_discharge/coarse.yaml", {**SMALL_BIN, "end_time": 0.15, "output_interval": 0.15}, bin_values),
+    Scene("100 um bin with air", "bin_discharge_fine/case.yaml", {**SMALL_BIN, "end_time": 0.1, "output_interval": 0.1},
           bin_values),
     Scene("bubble", "bubble_rise/case.yaml",
-          {"grid_x_cells": "2, 10", "grid_y_cells": "67, 15", "end_time": 0.3, "output_interval": 0.3}, bubble_values),
+          {"grid_x_cells": "2, 10", "grid_y_cells": "67, 15", "end_time": 0.15, "output_interval": 0.15}, bubble_values),
 )
 
 
