@@ -5,7 +5,8 @@
 
 namespace scree {
 
-/// Registers the type "staggered" for -pc_type: one cycle of PCMG over grids with half the cells along each axis.
+/// Registers the type "staggered" for -pc_type: one cycle of PCMG over coarser and coarser grids. From one to the
+/// next, neighbours along an axis become one cell where both are not wider than a bound, see CoarseAxis; it doubles.
 ///
 /// Interpolation: what is at faces is linear along their axis between the faces of the coarse grid; along the others,
 /// and at cells, it has the value of the coarse cell. Linear there as well, velocities save a quarter of the iterations
