@@ -13,10 +13,36 @@ namespace scree {
 
 namespace {
 
-/// The ordering that both rows and columns have. Takes `order`, of PetscMalloc.
-PetscErrorCode give_order(PetscInt size, PetscInt* order, IS* rows, IS* columns) {
+/// Brings together what PETSc factors together: rows that follow one another and have one pattern, an "inode". Its
+/// factorisations take for granted that an ordering leaves them so; where it does not they write beyond their arrays.
+PetscErrorCode keep_inodes(Mat A, std::vector<PetscInt>& order) {
   PetscFunctionBeginUser;
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, size, order, PETSC_OWN_POINTER, rows));
+  PetscInt count = 0, *sizes = nullptr;
+  PetscCall(MatInodeGetInodeSizes(A, &count, &sizes, nullptr));
+  if (!sizes) PetscFunctionReturn(0);
+  std::vector<PetscInt> first_of_row;
+  first_of_row.reserve(order.size());
+  for (PetscInt k = 0; k < count; ++k) first_of_row.insert(first_of_row.end(), sizes[k], first_of_row.size());
+  std::vector<PetscInt> kept;
+  kept.reserve(order.size());
+  std::vector<bool> done(order.size(), false);
+  for (const PetscInt row : order) {
+    const PetscInt first = first_of_row[row];
+    for (PetscInt r = first; r < static_cast<PetscInt>(order.size()) && first_of_row[r] == first && !done[r]; ++r) {
+      kept.push_back(r);
+      done[r] = true;
+    }
+  }
+  order = std::move(kept);
+  PetscFunctionReturn(0);
+}
+
+/// The ordering that both rows and columns have, but for inodes that it would take apart.
+PetscErrorCode give_order(Mat A, std::vector<PetscInt> order, IS* rows, IS* columns) {
+  PetscFunctionBeginUser;
+  PetscCall(keep_inodes(A, order));
+  PetscCall(
+      ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(order.size()), order.data(), PETSC_COPY_VALUES, rows));
   PetscCall(ISSetPermutation(*rows));
   PetscCall(ISDuplicate(*rows, columns));
   PetscCall(ISSetPermutation(*columns));
@@ -45,16 +71,13 @@ template <int axis>
 PetscErrorCode columns_along(Mat A, MatOrderingType, IS* rows, IS* columns) {
   PetscFunctionBeginUser;
   PetscInt size, unknowns;
-  PetscInt* order;
-  std::vector<PetscInt> nodes;
+  std::vector<PetscInt> nodes, order;
   PetscCall(MatGetLocalSize(A, &size, nullptr));
   PetscCall(MatGetBlockSize(A, &unknowns));
   PetscCall(nodes_by_columns(A, axis, size / unknowns, nodes));
-  PetscCall(PetscMalloc1(size, &order));
-  PetscInt* next = order;
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-    for (PetscInt c = 0; c < unknowns; ++c) *next++ = *node * unknowns + c;
-  PetscCall(give_order(size, order, rows, columns));
+    for (PetscInt c = 0; c < unknowns; ++c) order.push_back(*node * unknowns + c);
+  PetscCall(give_order(A, std::move(order), rows, columns));
   PetscFunctionReturn(0);
 }
 
@@ -85,7 +108,6 @@ PetscErrorCode metis_nested_dissection(Mat A, MatOrderingType, IS* rows, IS* col
   const PetscInt *row, *column;
   PetscInt size;
   PetscBool done;
-  PetscInt* order;
   PetscCall(MatGetRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &size, &row, &column, &done));
   PetscCheck(done, PETSC_COMM_SELF, PETSC_ERR_SUP, "the ordering metis is for AIJ matrices of one rank");
   Graph graph(size, row, column);
@@ -95,9 +117,7 @@ PetscErrorCode metis_nested_dissection(Mat A, MatOrderingType, IS* rows, IS* col
   const int status = METIS_NodeND(&count, graph.first.data(), graph.neighbour.data(), nullptr, nullptr,
                                   old_of_new.data(), new_of_old.data());
   PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS_NodeND returns %d", status);
-  PetscCall(PetscMalloc1(size, &order));
-  std::copy(old_of_new.begin(), old_of_new.end(), order);
-  PetscCall(give_order(size, order, rows, columns));
+  PetscCall(give_order(A, {old_of_new.begin(), old_of_new.end()}, rows, columns));
   PetscFunctionReturn(0);
 }
 

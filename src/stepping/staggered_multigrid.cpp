@@ -139,13 +139,13 @@ class StaggeredMultigrid {
       Level coarse;
       const Level fine = levels_.back();
       PetscCall(MatGetSize(fine.matrix, &size, nullptr));
+      if (size <= limit) break;
       const auto wider = widths.next(fine.dm);
-      if (size <= limit || !wider) break;
+      if (!wider) break;
       PetscCall(create_coarse_dm(fine.dm, *wider, unknowns, &coarse.dm));
       PetscCall(create_interpolation(fine.dm, coarse.dm, *wider, axes, fixed, &coarse.interpolation));
       PetscCall(MatPtAP(fine.matrix, coarse.interpolation, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &coarse.matrix));
       PetscCall(MatSetBlockSize(coarse.matrix, unknowns));
-      PetscCall(set_grid_of_nodes(coarse.matrix, coarse.dm));
       levels_.push_back(coarse);
     }
     PetscFunctionReturn(0);

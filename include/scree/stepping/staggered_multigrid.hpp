@@ -13,8 +13,8 @@ namespace scree {
 /// and cost twice the set-up. The matrices of the coarse grids are those of Galerkin, P^T A P. Rows that fix an unknown
 /// (walls, padding) take no part: without that corrections would push particles into walls.
 ///
-/// A DMDA tells the nodes and how ranks share them: that of set_grid_of_nodes, else that
-/// of the preconditioner (PCSetDM). Options, behind the prefix of the preconditioner:
+/// A DMDA tells the nodes and how ranks share them: that of set_grid_of_nodes, else that of the preconditioner
+/// (PCSetDM). Options, behind the prefix of the preconditioner:
 ///   -pc_staggered_axes <-1,0,1,...>        for each unknown of a node: the axis whose faces it is at, -1: cells
 ///   -pc_staggered_coarse_eq_limit <5000>   unknowns of the coarsest grid, at most
 ///   -staggered_mg_levels_..., -staggered_mg_coarse_...   those of PCMG's solvers
