@@ -154,7 +154,8 @@ def entry(row):
 def table(rows, columns=(*PRESETS, *VARIANTS)):
     """Markdown: a line a scene, grid, step and number of ranks; a column a preset or variant."""
     found = {key_of(row): row for row in rows if row["preset"] in columns}
-    lines = ["iterations to the preset's tolerance (to 1e-5) / CPU seconds of set-up on a known pattern + solution", "",
+    lines = ["Iterations to the preset's tolerance, in brackets to 1e-5. Then CPU seconds of a set-up on a known pattern, and of",
+             "the solution.", "",
              "| state | grid | dt | ranks | " + " | ".join(columns) + " |", "|---" * (4 + len(columns)) + "|"]
     order = list(STATES)
     for start in sorted({key[:3] for key in found}, key=lambda start: (start[2], order.index(start[0]), start[1])):
@@ -181,7 +182,7 @@ def main():
             writer.writerows(rows)
     plane = [row for row in rows if key_of(row)[1:3] == (1e-2, 1) and row["state"] not in IN_SPACE]
     cores = table(plane, ("condensed", *CORES))
-    given.csv.with_suffix(".md").write_text(f"{table(rows)}\nFactors of the core of `condensed`\n\n{cores}")
+    given.csv.with_suffix(".md").write_text(f"{table(rows)}\nFactors of the core of `condensed`. {cores}")
 
 
 if __name__ == "__main__":
