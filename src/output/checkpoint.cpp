@@ -66,7 +66,7 @@ double scalar_from(const Json& value) {
   return value.is_string() ? std::strtod(value.get<std::string>().c_str(), nullptr) : value.get<double>();
 }
 
-bool close(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b)); }
+bool nearly(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b)); }
 
 /// What is different between the grid of the file and `box`; empty: nothing.
 std::string grid_difference(const Json& grid, const Box& box) {
@@ -98,7 +98,7 @@ std::string fields_difference(const Json& list, const std::vector<Field>& fields
     if (list[i].at("component") != fields[i].component || list[i].at("face_axis") != fields[i].face_axis) {
       return name + " has another place in the file";
     }
-    if (!close(list[i].at("scale"), fields[i].scale)) {
+    if (!nearly(list[i].at("scale"), fields[i].scale)) {
       return name + " has another scale (" + list[i].at("scale").dump() + " in the file, " +
              Json(fields[i].scale).dump() + " in the case)";
     }
