@@ -31,7 +31,7 @@ ADVECTION = ("upwind", "van_albada")
 SCHEMES = ("beuler", "bdf", "arkimex")
 ACCURACIES = (3e-1, 1e-1, 3e-2, 1e-2, 3e-3)
 SCHEME_ACCURACIES = (3e-1, 1e-1, 3e-2, 1e-2)  # at 3e-3 arkimex takes as long as all others together
-PRESETS = ("", "ilu", "multigrid", "fieldsplit", "direct")  # "": the program's choice
+PRESETS = ("", "condensed", "ilu", "multigrid", "fieldsplit", "direct")  # "": the program's choice
 PATIENCE = 600  # [s] beside twenty times the estimate, after which a run counts as failed: others may use the machine
 STRAIN_RATE_FLOOR = 10  # [1/s], which algebraic T needs
 

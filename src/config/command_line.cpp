@@ -9,7 +9,7 @@
 namespace scree {
 namespace {
 
-/// The key of a word such as "-key" or "--key"; empty if it is none. Not for "-1", "-.5" and "-inf", as PETSc has it.
+/// The key of a word such as "-key" or "--key"; empty if it is none. Not for "-1", "-0.5" and "-inf", as PETSc has it.
 std::string key_of(const std::string& word) {
   const std::size_t first = word.compare(0, 2, "--") == 0 ? 2 : 1;
   if (word.size() <= first || word[0] != '-' || !std::isalpha(static_cast<unsigned char>(word[first]))) return "";

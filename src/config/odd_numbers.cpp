@@ -37,6 +37,13 @@ std::string in_particles(const Case& the_case, double length) {
   return number_text(length, 3) + " m, " + number_text(length / the_case.kinetic.d, 3) + " particle diameters";
 }
 
+/// The gravity of the earth against the last axis of the box, as an option.
+std::string downwards(int dim) {
+  std::string text;
+  for (int axis = 1; axis < dim; ++axis) text += "0, ";
+  return text + "-9.81";
+}
+
 void add_box(const Case& the_case, std::vector<std::string>& remarks) {
   for (int axis = 0; axis < the_case.box.dim; ++axis) {
     const double width = the_case.box.upper(axis) - the_case.box.lower(axis);
@@ -56,9 +63,12 @@ void add_opening(const Case& the_case, const Patch& patch, int normal, const std
 
 }  // namespace
 
-std::vector<std::string> odd_numbers(const Case& the_case) {
+std::vector<std::string> odd_numbers(const Case& the_case, const CaseInput& input) {
   std::vector<std::string> remarks;
   if (!the_case.has_particles()) return remarks;
+  if (input.find("gravity") == nullptr)
+    remarks.push_back("gravity is not given: it is 0; \"gravity: " + downwards(the_case.box.dim) +
+                      "\" is that of the earth");
   add_box(the_case, remarks);
   for (const Plate& plate : the_case.plates) {
     for (const Patch& opening : plate.openings)

@@ -70,7 +70,7 @@ Case understood(const CaseInput& input, const Catalogue& catalogue) {
   the_case.grid_summary = grid_summary(the_case.box);
   the_case.petsc_options = petsc_options(input);
   the_case.remarks = input.remarks();
-  for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(the_case)})
+  for (const std::vector<std::string>& more : {unused_remarks(input, options), odd_numbers(the_case, input)})
     the_case.remarks.insert(the_case.remarks.end(), more.begin(), more.end());
   return the_case;
 }

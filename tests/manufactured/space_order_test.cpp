@@ -28,7 +28,7 @@ std::vector<double> faces(int cells, bool graded) {
   std::vector<double> x;
   for (int i = 0; i <= cells; ++i) {
     const double s = static_cast<double>(i) / cells;
-    x.push_back(length * (graded ? s + .08 * std::sin(2 * pi * s) : s));  // cells of 1.5 to .5 of their mean
+    x.push_back(length * (graded ? s + .08 * std::sin(2 * pi * s) : s));  // cells of 1.5 to 0.5 of their mean
   }
   return x;
 }

@@ -242,14 +242,14 @@ class Evaluation {
 
 /// Where random states lie.
 enum class Regime {
-  dense,    ///< .52 < nu < .62
-  dilute,   ///< nu = 1e-3 ... .4
+  dense,    ///< 0.52 < nu < 0.62
+  dilute,   ///< nu = 1e-3 ... 0.4
   empty,    ///< nu = 1e-9 ... 1e-6
-  surface,  ///< nu about .57 in every other cell along each axis, 1e-4 ... 1e-2 in the others
+  surface,  ///< nu about 0.57 in every other cell along each axis, 1e-4 ... 1e-2 in the others
 };
 
-/// A random SI state of that regime, sqrt(T) about .01 m/s, velocities of both signs about .05 m/s; of the gas about
-/// .2 m/s, and pressures that drive a gas without inertia through a dense bed at about .5 m/s.
+/// A random SI state of that regime, sqrt(T) about 0.01 m/s, velocities of both signs about 0.05 m/s; of the gas about
+/// 0.2 m/s, and pressures that drive a gas without inertia through a dense bed at about 0.5 m/s.
 inline double random_value(const Field& field, const Index& I, Regime regime, int seed) {
   const double z = noise(I, field.component, seed);
   if (field.symbol == "nu") {

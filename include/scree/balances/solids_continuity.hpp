@@ -17,7 +17,7 @@ namespace scree {
 struct SolidsContinuity {
   static double scale(const Scales&) { return 1; }
   static double row_scale(const Scales& s, double) { return s.time; }
-  /// At most .7 of what is left to nu_max, and not below zero.
+  /// At most 0.7 of what is left to nu_max, and not below zero.
   static NewtonBounds bounds(double nu, const NewtonContext& c) { return {0, nu + 0.7 * (c.nu_max - nu)}; }
 
   static constexpr Unknown unknown{"solids_fraction",

@@ -70,7 +70,7 @@ inline bool has_inertial_coefficient(const FrictionParameters& p) {
 }
 
 // Widths of the rounded clips below, in the clipped quantity itself; outside of them the formulas are exact.
-inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < .024 there
+inline constexpr double dilation_clip_width = 1e-2;   ///< of the base of (21) at 0: chi* < 0.024 there
 inline constexpr double compaction_clip_width = 0.1;  ///< of the same base at n/(n-1), relative
 inline constexpr double yield_clip_width = 1e-2;      ///< of the braces of (14) at 0
 

@@ -52,7 +52,7 @@ Number conductivity(const Number& nu, const Number& sqrt_T, const Number& drag_o
 }
 
 /// Limit of the second term of (1.8), which is singular as T -> 0: 1/sqrt(T) becomes 1/(sqrt(T) + limit) [m/s], which
-/// leaves a source that lifts T off zero (departure from the paper; .1 % at sqrt(T) = 1 cm/s).
+/// leaves a source that lifts T off zero (departure from the paper; 0.1 % at sqrt(T) = 1 cm/s).
 inline constexpr double agitation_limit = 1e-5;
 
 /// Second term of (1.8), by which the slip |v - u| agitates the particles, times sqrt(T) + agitation_limit [kg/s4].

@@ -132,7 +132,7 @@ Number conductivity(const Number& nu, const Number& sqrt_T, const KineticParamet
   return p.rho_s * p.d * conductivity_factor(nu, radial_distribution(nu, p), p) * sqrt_T;
 }
 
-/// T that collisions leave near nu_max: T_rest (nu/nu_max)^32, 2 % of it at nu = .58, 2e-11 at .3 [m2/s2]. Nothing in
+/// T that collisions leave near nu_max: T_rest (nu/nu_max)^32, 2 % of it at nu = 0.58, 2e-11 at 0.3 [m2/s2]. Nothing in
 /// the model but T carries a bed without friction: as T dies down nu goes to nu_max at a finite T/(nu_max - nu), where
 /// each grain is locked and Newton's method loses its way.
 template <class Number>
@@ -190,7 +190,7 @@ std::array<Number, count> kinetic_factors(const Number& nu, const KineticParamet
 
 /// fJ of local equilibrium, factor_dissipation held up below nu of about 1e-3: in the dilute limit T would grow as
 /// 1/nu^2, but there the free path is hundreds of diameters and local equilibrium means nothing (relative change of T
-/// 5e-9 at nu = .1, less above).
+/// 5e-9 at nu = 0.1, less above).
 template <class Number>
 Number local_dissipation_factor(const Number& fJ, const KineticParameters& p) {
   constexpr double dilute = 1e-3;

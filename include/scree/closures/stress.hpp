@@ -73,7 +73,7 @@ CellClosures<Number> cell_closure(const SolidsPoint<Number>& q, const SolidsPara
 }
 
 /// 1 in all but voids, 0 in them: share of the shear production that heats transported T. Half at nu = 1e-4, 1 - 1e-8
-/// at .001. The viscosity of (1.4) stays as nu goes to 0 and the storage of (9) does not: beside a jet, where the path
+/// at 0.001. The viscosity of (1.4) stays as nu goes to 0 and the storage of (9) does not: beside a jet, where the path
 /// between collisions is many cells long, T would go to 100 m2/s2 and Newton's method lose its way.
 template <class Number>
 Number production_share(const Number& nu) {
@@ -83,7 +83,8 @@ Number production_share(const Number& nu) {
 }
 
 /// 1 in all but voids, 0 in them: production balances dissipation only where particles collide within a few diameters.
-/// Half at nu = .006, 1 - 2e-10 at .1. Without it T grows as (d S/nu)^2 in voids, whose pressure drives v to infinity.
+/// Half at nu = 0.006, 1 - 2e-10 at 0.1. Without it T grows as (d S/nu)^2 in voids, whose pressure drives v to
+/// infinity.
 template <class Number>
 Number local_equilibrium_share(const Number& nu) {
   constexpr double dilute = 6e-3;

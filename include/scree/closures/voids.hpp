@@ -6,7 +6,7 @@
 namespace scree {
 
 /// What is added to nu in inertia and storage: eps at nu = 0, fading as eps/(1 + (nu/(10 eps))^4), so that it is
-/// 1e-13 of nu at nu = .02 for the default eps of 1e-5. Below zero, where rounding may carry nu, their sum stays eps.
+/// 1e-13 of nu at nu = 0.02 for the default eps of 1e-5. Below zero, where rounding may carry nu, their sum stays eps.
 template <class Number>
 Number void_floor(const Number& nu, double eps) {
   if (nu < 0.0) return eps - nu;

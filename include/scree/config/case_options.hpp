@@ -142,7 +142,7 @@ void check_gas(const Case& the_case);
 void check_ways_out(const Case& the_case);
 
 /// Numbers that are allowed but odd, such as a particle as large as the box: one line for each.
-std::vector<std::string> odd_numbers(const Case& the_case);
+std::vector<std::string> odd_numbers(const Case& the_case, const CaseInput& input);
 
 /// Throws InputError for the first key that is neither ours nor a definition nor PETSc's; names the nearest known one.
 void check_keys(const CaseInput& input, const OptionSet& known);

@@ -2,7 +2,7 @@
 /// (rates against wave number), and what a segregated treatment makes of it, which takes chi from the state before the
 /// step (factors per step against dt and tau).
 ///
-///     flutter_growth [-rates rates.csv] [-steps steps.csv] [-given 0.6,1e-6,0,-.12,.01,.02,.02,.01,1e-3,2e-3]
+///     flutter_growth [-rates rates.csv] [-steps steps.csv] [-given 0.6,1e-6,0,-0.12,0.01,0.02,0.02,0.01,1e-3,2e-3]
 ///
 /// `-given`: nu, T [m2/s2], v_x, v_y [m/s], dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy [1/s], cell sizes [m] of the only base
 /// state instead of the four built in.

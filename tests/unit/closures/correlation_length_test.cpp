@@ -30,7 +30,7 @@ TEST(CorrelationLength, IsListed) {
   EXPECT_EQ(KineticParameters{}.length, nullptr) << "L = d unless it is chosen";
 }
 
-/// The equations in the heads of the variants with 40 digits (mpmath), g0 of (1.7), e_p = .91, mu_p with
+/// The equations in the heads of the variants with 40 digits (mpmath), g0 of (1.7), e_p = 0.91, mu_p with
 /// chialvo_sundaresan; 1 where max{1, .} takes it.
 TEST(CorrelationLength, ReferenceValues) {
   struct Row {
@@ -55,7 +55,8 @@ TEST(CorrelationLength, ReferenceValues) {
   }
 }
 
-// With the g0 of extended kinetic theory, which diverges at .636, and e_eff = .727: L/d of the published shear states.
+// With the g0 of extended kinetic theory, which diverges at 0.636, and e_eff = 0.727: L/d of the published shear
+// states.
 TEST(CorrelationLength, BerziVescoviWithItsOwnRadialDistribution) {
   struct Row {
     double nu, g0, smooth, rough;

@@ -20,7 +20,7 @@ TEST(EffectiveRestitution, IsListed) {
   EXPECT_EQ(KineticParameters{}.e_eff, effective_restitutions().front());
 }
 
-/// The published equations with 40 digits (mpmath), e = .91.
+/// The published equations with 40 digits (mpmath), e = 0.91.
 struct Row {
   double mu, chialvo_sundaresan, jenkins_zhang;
 };
@@ -43,7 +43,7 @@ TEST(EffectiveRestitution, IsTheRestitutionWithoutFriction) {
   }
 }
 
-// (1 - e_eff^2)/(1 - e^2) at e = .91, mu = .3, and T/(d gdot)^2 = 1.10920688 of simple shear at nu = .55 over it.
+// (1 - e_eff^2)/(1 - e^2) at e = 0.91, mu = 0.3, and T/(d gdot)^2 = 1.10920688 of simple shear at nu = 0.55 over it.
 TEST(EffectiveRestitution, ActsOnTheDissipationAlone) {
   const KineticParameters smooth;
   KineticParameters rough;

@@ -160,7 +160,7 @@ TEST(YieldFactor, Loci) {
   const double unit = std::sqrt(2.0) * sin_phi;
   EXPECT_NEAR(yield_factor(1.0, p), unit, 1e-14);
   EXPECT_NEAR(yield_factor(0.0, p), unit * p.n_dilation, 1e-14);
-  // n = sqrt(3)/(2 sin phi): braces .5 at chi = ((n-.5)/(n-1))^(n-1)
+  // n = sqrt(3)/(2 sin phi): braces 0.5 at chi = ((n-0.5)/(n-1))^(n-1)
   const double n = p.n_dilation;
   EXPECT_NEAR(yield_factor_of_branch(std::pow((n - .5) / (n - 1), n - 1), n, p), unit * .5, 1e-14);
   for (double chi : {1.112, 1.2, 5.0, 1e10, 1e200}) EXPECT_EQ(yield_factor(chi, p), 0) << "no overflow";

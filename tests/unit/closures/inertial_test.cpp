@@ -16,7 +16,7 @@
 namespace scree {
 namespace {
 
-/// Glass beads: mu_s .3819, mu_2 .6435, I_0 .278; n of dilation as with the angle of the paper.
+/// Glass beads: mu_s 0.3819, mu_2 0.6435, I_0 0.278; n of dilation as with the angle of the paper.
 FrictionParameters glass(FrictionCoefficient coefficient) {
   FrictionParameters p;
   p.coefficient = coefficient;

@@ -12,7 +12,7 @@
 namespace scree {
 namespace {
 
-const KineticParameters p;  // Table 2, d = 1 mm, e_p = .91
+const KineticParameters p;  // Table 2, d = 1 mm, e_p = 0.91
 
 /// tests/VERIFICATION.md section 1, recomputed from src/MODEL.md with 40 digits (mpmath); fb = eta mu_b/(rho_s d
 /// sqrt(T)).

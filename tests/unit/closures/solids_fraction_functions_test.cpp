@@ -34,7 +34,7 @@ TEST(RadialDistribution, IsListed) {
   EXPECT_EQ(KineticParameters{}.g0, radial_distributions().front());
 }
 
-/// The published equations evaluated apart, nu_max = .65; carnahan_starling as its three terms.
+/// The published equations evaluated apart, nu_max = 0.65; carnahan_starling as its three terms.
 struct Row {
   std::string name;
   double nu, g0;

@@ -34,7 +34,7 @@ TEST(Wall, ReferenceValues) {
   }
 }
 
-// T7, matched Couette: uniform shear at nu = .3, T = 1 cm2/s2 satisfies (25) and (26) at once.
+// T7, matched Couette: uniform shear at nu = 0.3, T = 1 cm2/s2 satisfies (25) and (26) at once.
 TEST(Wall, MatchedCouette) {
   WallParameters wall;
   wall.specularity = .325926893308;

@@ -5,7 +5,7 @@
 namespace scree {
 namespace {
 
-const std::vector<double> faces{1.0, 1.1, 1.4, 1.6, 2.2};  // widths .1 .3 .2 .6
+const std::vector<double> faces{1.0, 1.1, 1.4, 1.6, 2.2};  // widths 0.1 0.3 0.2 0.6
 
 TEST(Axis, MetricsInsideFollowTheFaces) {
   const Axis axis(faces, false);

@@ -47,7 +47,7 @@ void for_each_cell(const Box& box, Work&& work) {
       }
 }
 
-/// Rough, in [0, .64], periodic along a last axis of 5 cells.
+/// Rough, in [0, 0.64], periodic along a last axis of 5 cells.
 double rough(const Index& I) {
   const double x = std::sin(3.7 * I[0] + 1.3 * ((I[1] + 50) % 5) * 2.1 + 0.8 * I[2]);
   return x > 0 ? 0.64 * x * x : 0;

@@ -13,7 +13,7 @@ TEST(DiscreteProblem, MeasuresVolumeAndFluxes) {
   const auto width = [&](int i) { return box.faces[0][i + 1] - box.faces[0][i]; };
   Vec state;
   check(DMCreateGlobalVector(problem.problem().dm(), &state));
-  // nu = .4 + .02 i, v_y = -.1 (1 + i) m/s everywhere
+  // nu = 0.4 + 0.02 i, v_y = -0.1 (1 + i) m/s everywhere
   problem.put(problem.values([&](const Field& f, const Index& I) {
     if (f.symbol == "nu") return 0.4 + 0.02 * I[0];
     return f.face_axis == 1 ? -0.1 * (1 + I[0]) : 0.0;

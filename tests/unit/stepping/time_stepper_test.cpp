@@ -9,7 +9,7 @@ namespace {
 
 class TimeStepping : public DirectSolver {};
 
-/// T1 of tests/VERIFICATION.md: a periodic box at rest cools as T = T0/(1 + A sqrt(T0) t/2)^2; nu .3, d 1 mm, T0 1
+/// T1 of tests/VERIFICATION.md: a periodic box at rest cools as T = T0/(1 + A sqrt(T0) t/2)^2; nu 0.3, d 1 mm, T0 1
 /// cm2/s2.
 constexpr double haff_nu = 0.3, haff_T0 = 1e-4, haff_time = 0.1, haff_T = 0.4372736e-4;
 

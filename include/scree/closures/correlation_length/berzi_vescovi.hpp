@@ -6,9 +6,9 @@
 
 namespace scree {
 
-/// max{1, sqrt(2 J/(15 (1 - e_eff^2))) [1 + 26/15 (1 - e_eff) (nu - .49)/(nu_max - nu)]^(3/2)} above the freezing point
-/// nu = .49, with nu_max for the random close packing of the paper. The law says nothing of looser states, where nearly
-/// elastic spheres would keep an L above d: there it fades out down to nu = .40.
+/// max{1, sqrt(2 J/(15 (1 - e_eff^2))) [1 + 26/15 (1 - e_eff) (nu - 0.49)/(nu_max - nu)]^(3/2)} above the freezing
+/// point nu = 0.49, with nu_max for the random close packing of the paper. The law says nothing of looser states, where
+/// nearly elastic spheres would keep an L above d: there it fades out down to nu = 0.40.
 struct BerziVescovi {
   static constexpr const char *name = "berzi_vescovi", *source = "Berzi & Vescovi (2015), Phys. Fluids 27, 013302";
   static constexpr double freezing = .49, loose = .40;

@@ -7,9 +7,9 @@ namespace scree {
 
 /// Equal spheres. The paper's F is the drag over 3 pi mu_g d (1-nu) |u - v|: beta = 18 mu_g nu (1-nu) F/d^2, so that
 /// the factor here is (1-nu) F. Limits: 10 nu/(1-nu) + (1-nu)^3 (1 + 1.5 sqrt(nu)) as Re -> 0;
-/// .413/24 Re (1/(1-nu) + 3 nu (1-nu))/(1-nu) as Re grows.
+/// 0.413/24 Re (1/(1-nu) + 3 nu (1-nu))/(1-nu) as Re grows.
 /// sqrt(nu) has an infinite slope at nu = 0, here limited as nu/sqrt(nu + 1e-7) (relative change of F: 6e-7 at
-/// nu = .01, less above).
+/// nu = 0.01, less above).
 struct Beetstra {
   static constexpr const char *name = "beetstra",
                               *source = "Beetstra, van der Hoef & Kuipers (2007), AIChE J. 53, 489, equal spheres";

@@ -13,8 +13,8 @@ Number ergun_factor(const Number& nu, const Number& Re) {
 
 /// Ergun's equation at any solids fraction. Limits: 25/3 nu/(1-nu) as Re -> 0, 1.75/18 Re/(1-nu) as Re grows.
 /// The equation is one of packed beds: in dilute flow it would go to nothing. Here F stays at 1, the drag of a lone
-/// sphere in creeping flow, where the equation is below .5, and is the equation's above 1.5 (creeping flow: from
-/// nu = .153 on); a parabola joins them.
+/// sphere in creeping flow, where the equation is below 0.5, and is the equation's above 1.5 (creeping flow: from
+/// nu = 0.153 on); a parabola joins them.
 struct Ergun {
   static constexpr const char *name = "ergun", *source = "Ergun (1952)";
 

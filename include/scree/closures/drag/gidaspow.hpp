@@ -6,9 +6,9 @@
 
 namespace scree {
 
-/// Ergun above nu = .2, Wen & Yu below. The two differ at .2, by 15 % in creeping flow and by a factor of 3.7 at large
-/// Re: as published the drag jumps. Here a smoothstep over nu = .18 ... .22 leads from one to the other, so that
-/// Newton's method sees no jump; outside of it the law is as published.
+/// Ergun above nu = 0.2, Wen & Yu below. The two differ at 0.2, by 15 % in creeping flow and by a factor of 3.7 at
+/// large Re: as published the drag jumps. Here a smoothstep over nu = 0.18 ... 0.22 leads from one to the other, so
+/// that Newton's method sees no jump; outside of it the law is as published.
 struct Gidaspow {
   static constexpr const char *name = "gidaspow",
                               *source = "Gidaspow (1994): Ergun above nu = .2, Wen & Yu below, joined over .18 ... .22";

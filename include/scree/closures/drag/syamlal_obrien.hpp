@@ -5,10 +5,10 @@
 
 namespace scree {
 
-/// beta = 3/4 C_D nu (1-nu) rho_g |u - v|/(V_r^2 d) with Dalla Valle's C_D = (.63 + 4.8 sqrt(V_r/Re_s))^2, where
+/// beta = 3/4 C_D nu (1-nu) rho_g |u - v|/(V_r^2 d) with Dalla Valle's C_D = (0.63 + 4.8 sqrt(V_r/Re_s))^2, where
 /// Re_s = Re/(1-nu) = rho_g d |u - v|/mu_g and V_r is the terminal velocity of the bed over that of a lone sphere, by
-/// Garside & Al-Dibouni. c1 = .8 and d1 = 2.65 are the standard ones, not fitted to a minimum fluidisation velocity.
-/// Limits: .96 (1-nu)^-3.14 as Re -> 0; (1-nu) .63^2/24 Re_s/B^2 as Re grows.
+/// Garside & Al-Dibouni. c1 = 0.8 and d1 = 2.65 are the standard ones, not fitted to a minimum fluidisation velocity.
+/// Limits: 0.96 (1-nu)^-3.14 as Re -> 0; (1-nu) 0.63^2/24 Re_s/B^2 as Re grows.
 struct SyamlalOBrien {
   static constexpr const char *name = "syamlal_obrien", *source = "Syamlal & O'Brien (1987), c1 = .8, d1 = 2.65";
   static constexpr double c1 = .8, d1 = 2.65;
@@ -21,7 +21,7 @@ struct SyamlalOBrien {
     return gas * root * root / (24.0 * V_r);
   }
 
-  /// V_r = (A - x + sqrt(x^2 + 2 x (2B-A) + A^2))/2, x = .06 Re_s, from A in creeping flow to B at large Re; in the
+  /// V_r = (A - x + sqrt(x^2 + 2 x (2B-A) + A^2))/2, x = 0.06 Re_s, from A in creeping flow to B at large Re; in the
   /// form that does not cancel.
   template <class Number>
   static Number velocity_ratio(const Number& x, const Number& A, const Number& B) {
@@ -29,7 +29,7 @@ struct SyamlalOBrien {
     return x < A ? .5 * (A - x + root) : 2.0 * x * B / (root + x - A);
   }
 
-  /// B: c1 (1-nu)^1.28 below 1-nu = .85, (1-nu)^d1 above. They differ by 5e-4 at .85; a smoothstep over .84 ... .86
+  /// B: c1 (1-nu)^1.28 below 1-nu = 0.85, (1-nu)^d1 above. They differ by 5e-4 at 0.85; a smoothstep over 0.84 ... 0.86
   /// joins them.
   template <class Number>
   static Number velocity_ratio_at_large_Re(const Number& gas) {

@@ -6,7 +6,7 @@
 namespace scree {
 
 /// C_D Re/24 of (7), a lone sphere: drag in units of its Stokes value [-].
-/// (7) jumps by .4 % at Re = 1000; here a smoothstep joins its two forms over Re = 950 ... 1050, so that slopes are
+/// (7) jumps by 0.4 % at Re = 1000; here a smoothstep joins its two forms over Re = 950 ... 1050, so that slopes are
 /// continuous and factor times Re still grows with Re.
 template <class Number>
 Number lone_sphere_factor(const Number& Re) {
@@ -18,7 +18,7 @@ Number lone_sphere_factor(const Number& Re) {
   return intermediate + t * t * (3.0 - 2.0 * t) * (.44 / 24 * Re - intermediate);
 }
 
-/// Limits: (1-nu)^-2.65 as Re -> 0, .44/24 Re (1-nu)^-2.65 beyond Re = 1050.
+/// Limits: (1-nu)^-2.65 as Re -> 0, 0.44/24 Re (1-nu)^-2.65 beyond Re = 1050.
 struct WenYu {
   static constexpr const char *name = "wen_yu", *source = "Wen & Yu (1966), eqs. (6), (7)";
 

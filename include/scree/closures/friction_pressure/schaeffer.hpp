@@ -7,7 +7,7 @@ namespace scree {
 
 /// 1e24 (nu - nu_min)^10 [Pa]; MFIX has 1e25 in dyn/cm2 and calls 1 - nu_min the packed void fraction. A penalty on
 /// packing beyond nu_min rather than a measured pressure: its constants belong to no material, the bed's weight is
-/// carried within .01 of nu_min whatever it is, and stays finite at nu_max. Put nu_min at the packing of the bed.
+/// carried within 0.01 of nu_min whatever it is, and stays finite at nu_max. Put nu_min at the packing of the bed.
 struct SchaefferPressure {
   static constexpr const char *name = "schaeffer",
                               *source =

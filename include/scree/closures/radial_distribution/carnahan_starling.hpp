@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// (1 - nu/2)/(1-nu)^3 = 1/(1-nu) + 3/2 nu/(1-nu)^2 + 1/2 nu^2/(1-nu)^3. Knows no nu_max: 15.7 at nu = .65. Collisions
+/// (1 - nu/2)/(1-nu)^3 = 1/(1-nu) + 3/2 nu/(1-nu)^2 + 1/2 nu^2/(1-nu)^3. Knows no nu_max: 15.7 at nu = 0.65. Collisions
 /// alone do not stop compaction there; p_c does, and without friction nothing but the solver's refusal of nu >= nu_max.
 struct CarnahanStarling {
   static constexpr const char *name = "carnahan_starling",

@@ -5,8 +5,8 @@
 
 namespace scree {
 
-/// (1 + 2.5 nu + 4.5904 nu^2 + 4.515439 nu^3)/(1 - (nu/nu_max)^3)^.67802 with the case's nu_max in the place of the
-/// .64356 of the fit; grows as (nu_max - nu)^-.678, slower than (1.7). The difference of cubes is written as
+/// (1 + 2.5 nu + 4.5904 nu^2 + 4.515439 nu^3)/(1 - (nu/nu_max)^3)^0.67802 with the case's nu_max in the place of the
+/// 0.64356 of the fit; grows as (nu_max - nu)^-0.678, slower than (1.7). The difference of cubes is written as
 /// (1-y)(1 + y + y^2), which does not cancel near nu_max.
 struct MaAhmadi {
   static constexpr const char *name = "ma_ahmadi", *source = "Ma & Ahmadi (1986), J. Chem. Phys. 84, 3449";

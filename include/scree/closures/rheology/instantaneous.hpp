@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// chi and chi^(1/(n-1)) come from one base: no power of 33 to undo the one of .03.
+/// chi and chi^(1/(n-1)) come from one base: no power of 33 to undo the one of 0.03.
 struct Instantaneous {
   static constexpr const char *name = "instantaneous", *source = "(20) with chi = chi* (21)";
   static constexpr bool has_friction = true, has_unknown = false, uses_flow_rule = true;
