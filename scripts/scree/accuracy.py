@@ -40,10 +40,11 @@ class Scene:
     options: dict
     values: object  # of a finished run: name -> number or profile
 
-    def point(self, accuracy, work):
-        found = sweeps.Point(ROOT / "cases" / self.case, program.default_program(), 1, work, {},
-                             {**self.options, "accuracy": accuracy})
-        found.name = f"{self.case.split('/')[0]}_{accuracy:g}"
+    def point(self, accuracy, work, scheme=None):
+        """A run; scheme: of time, the program's default without."""
+        options = {**self.options, "accuracy": accuracy, **({"time_scheme": scheme} if scheme else {})}
+        found = sweeps.Point(ROOT / "cases" / self.case, program.default_program(), 1, work, {}, options)
+        found.name = "_".join([self.case.split("/")[0], f"{accuracy:g}", *([scheme] if scheme else [])])
         found.directory = work / found.name
         return found
 
@@ -62,23 +63,28 @@ def extrapolated(coarse, fine, ratio):
     return fine + (fine - coarse) / (ratio - 1)
 
 
-def errors(values):
-    """values: accuracy -> {quantity: number or profile}. Gives {quantity: {accuracy: relative error}}, in the maximum
-    norm, relative to the greatest value. The two least accuracies make the reference."""
+def references(values):
+    """values: accuracy -> {quantity: number or profile}. What the two least accuracies lead to, by quantity."""
     finest, next_finer = sorted(values)[:2]
-    found = {}
-    for name in values[finest]:
-        reference = extrapolated(np.asarray(values[next_finer][name]), np.asarray(values[finest][name]), next_finer / finest)
-        found[name] = {accuracy: float(np.max(np.abs(of[name] - reference)) / np.max(np.abs(reference)))
-                       for accuracy, of in values.items()}
-    return found
+    return {name: extrapolated(np.asarray(values[next_finer][name]), np.asarray(values[finest][name]), next_finer / finest)
+            for name in values[finest]}
+
+
+def error(value, reference):
+    """In the maximum norm, relative to the greatest value."""
+    return float(np.max(np.abs(value - reference)) / np.max(np.abs(reference)))
+
+
+def errors(values):
+    """values as those of references(). Gives {quantity: {accuracy: relative error}}."""
+    return {name: {accuracy: error(of[name], reference) for accuracy, of in values.items()}
+            for name, reference in references(values).items()}
 
 
 def rows(scene, values, summaries):
     return [{"scene": scene.name, "quantity": name, "accuracy": f"{accuracy:g}", "error": f"{error:.3g}",
              "steps": summaries[accuracy]["steps"], "cpu [s]": f"{summaries[accuracy]['cpu_seconds']['total']:.0f}"}
             for name, of in errors(values).items() for accuracy, error in sorted(of.items(), reverse=True)]
-
 
 
 def table(found):

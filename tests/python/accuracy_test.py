@@ -3,7 +3,7 @@ import unittest
 
 import numpy as np
 
-from scree import accuracy
+from scree import accuracy, scheme_race
 
 
 class Accuracy(unittest.TestCase):
@@ -22,6 +22,21 @@ class Accuracy(unittest.TestCase):
     def test_cases_are_there(self):
         for scene in accuracy.SCENES:
             self.assertTrue((accuracy.ROOT / "cases" / scene.case).is_file(), scene.case)
+
+    def test_the_race_tells_a_failed_run_from_a_finished_one(self):
+        rows = [{"scene": "a", "scheme": "bdf", "accuracy": "0.1", "end": "negative nu"},
+                {"scene": "a", "scheme": "beuler", "accuracy": "0.1", "end": "end_time", "steps": "12", "newton_iterations": "30",
+                 "cpu [s]": "2.0", "greatest error": "0.05", "of": "rate"}]
+        lines = scheme_race.table(rows).splitlines()
+        self.assertEqual(lines[2], "| a | bdf | 0.1 | negative nu |  |  |  |  |  |")
+        self.assertEqual(lines[3], "| a | beuler | 0.1 | end_time | 12 | 30 | 2.0 | 0.05 | rate |")
+        self.assertEqual(len(scheme_race.draw(rows).axes[0].lines[1].get_xdata()), 0)
+
+    def test_a_scheme_has_its_own_run(self):
+        scene = accuracy.SCENES[0]
+        default, bdf = (scene.point(0.1, accuracy.PAGE, *scheme) for scheme in ((), ("bdf",)))
+        self.assertNotEqual(default.directory, bdf.directory)
+        self.assertEqual(bdf.options["time_scheme"], "bdf")
 
 
 if __name__ == "__main__":
