@@ -15,6 +15,7 @@ StageSolver::~StageSolver() {
   PetscCallAbort(PETSC_COMM_SELF, SNESDestroy(&newton_));
   PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&line_));
   PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&guess_));
+  PetscCallAbort(PETSC_COMM_SELF, VecDestroy(&settled_));
 }
 
 /// The SNES of TS is a shell with a prefix of its own, so that the user's options go to the one that does the work.
@@ -33,6 +34,7 @@ PetscErrorCode StageSolver::create(TS ts, const std::string& prefix) {
   PetscCall(SNESShellSetContext(shell, this));
   if (!line_) PetscCall(DMCreateGlobalVector(problem_.dm(), &line_));
   if (!guess_) PetscCall(DMCreateGlobalVector(problem_.dm(), &guess_));
+  if (!settled_ && !scheme_.keeps_signs()) PetscCall(DMCreateGlobalVector(problem_.dm(), &settled_));
   PetscCall(create_newton());
   PetscFunctionReturn(0);
 }
@@ -222,6 +224,7 @@ PetscErrorCode StageSolver::test_convergence(SNES snes, PetscInt iteration, Pets
                                              PetscReal f_norm, SNESConvergedReason* reason, void* solver) {
   PetscFunctionBeginUser;
   const auto& self = *static_cast<const StageSolver*>(solver);
+  if (!self.scheme_.keeps_signs() && iteration > 0) PetscCall(self.settle_what_died_down(&f_norm));
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
   if (*reason == SNES_CONVERGED_ITERATING && is_lost(self.norms())) *reason = SNES_DIVERGED_DTOL;
   if (*reason > 0 && iteration > 0) {
@@ -229,6 +232,36 @@ PetscErrorCode StageSolver::test_convergence(SNES snes, PetscInt iteration, Pets
     PetscCall(self.remainder_is_small(&small));
     if (!small) *reason = SNES_CONVERGED_ITERATING;
   }
+  PetscFunctionReturn(0);
+}
+
+/// A stage of a scheme of order 2 would have T or chi below zero where they die down within the step. NewtonLimits hold
+/// them above, and their balances stay open by what they would have to lose beyond all that they have: nothing that is
+/// left to solve for.
+PetscErrorCode StageSolver::settle_what_died_down(PetscReal* f_norm) const {
+  PetscFunctionBeginUser;
+  constexpr double share = 1e-3, nothing = 1e-7;  // of the value before the step, of its scale
+  const int unknowns = problem_.model().unknowns();
+  Vec state, residual;
+  const double *old, *x;
+  double* f;
+  PetscInt size;
+  PetscCall(SNESGetSolution(newton_, &state));
+  PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
+  PetscCall(VecCopy(residual, settled_));
+  PetscCall(VecGetLocalSize(state, &size));
+  PetscCall(VecGetArrayRead(start_, &old));
+  PetscCall(VecGetArrayRead(state, &x));
+  PetscCall(VecGetArray(settled_, &f));
+  for (const Field& field : problem_.model().fields()) {
+    const bool dies_down = field.unknown->bounds != unbounded && field.component != Model::solids_fraction;
+    for (PetscInt at = field.component; dies_down && at < size; at += unknowns)
+      if (x[at] < std::max(share * old[at], nothing) && f[at] > 0) f[at] = 0;
+  }
+  PetscCall(VecRestoreArray(settled_, &f));
+  PetscCall(VecRestoreArrayRead(state, &x));
+  PetscCall(VecRestoreArrayRead(start_, &old));
+  PetscCall(VecNorm(settled_, NORM_2, f_norm));
   PetscFunctionReturn(0);
 }
 
@@ -267,6 +300,7 @@ PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
   Remainder left;
   PetscCall(SNESGetSolution(newton_, &state));
   PetscCall(SNESGetFunction(newton_, &residual, nullptr, nullptr));
+  if (!scheme_.keeps_signs()) residual = settled_;
   PetscCall(measure_remainder(problem_, stage_.shift, state, residual, &left));
   *small = left.dilute <= NewtonTolerance::dilute(control_.local_tolerance()) &&
            left.nu_change <= tolerated_residual() &&
@@ -329,12 +363,7 @@ PetscErrorCode StageSolver::make_preconditioner_anew() {
   PetscFunctionReturn(0);
 }
 
-/// Schemes of order 2 take nu below zero: in voids a loose solution takes it below what the floor of the inertia there
-/// bears.
-double StageSolver::tolerated_residual() const {
-  const NewtonTolerance newton = scheme_.keeps_signs() ? history_.newton : NewtonTolerance();
-  return newton.residual(control_.local_tolerance());
-}
+double StageSolver::tolerated_residual() const { return history_.newton.residual(control_.local_tolerance()); }
 
 /// PETSc's norm is a sum over unknowns.
 PetscErrorCode StageSolver::set_tolerance() {

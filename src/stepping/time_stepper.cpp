@@ -141,7 +141,8 @@ PetscErrorCode TimeStepper::step(double limit, StepReport* report) {
   std::swap(past_[0], past_[1]);
   PetscCall(VecCopy(start_, past_[0]));
   history_.dt_past = {report->dt, history_.dt_past[0]};
-  const StepOutcome outcome{report->error, history_.error, report->newton, report->rejected_solver > 0,
+  const int newton = (report->newton + scheme_.stages() - 1) / scheme_.stages();
+  const StepOutcome outcome{report->error, history_.error, newton, report->rejected_solver > 0,
                             report->rejected_error > 0};
   history_.error = report->error;
   history_.guess.step_done(outcome.newton, outcome.failed || outcome.error_too_large, outcome.easy());

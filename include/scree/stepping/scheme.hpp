@@ -19,6 +19,8 @@ class Scheme {
   explicit Scheme(TimeScheme scheme) : scheme_(scheme) {}
 
   TimeScheme name() const { return scheme_; }
+  /// Stages of a step that Newton's method solves.
+  int stages() const { return scheme_ == TimeScheme::arkimex ? 2 : 1; }
   int order() const { return scheme_ == TimeScheme::beuler ? 1 : 2; }
   /// Backward Euler keeps nu and T positive however long the step is. No scheme of higher order does, not even for linear
   /// balances (Bolley and Crouzeix (1978), RAIRO Anal. numer. 12, 237).

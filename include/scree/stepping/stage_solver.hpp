@@ -79,6 +79,7 @@ class StageSolver {
   PetscErrorCode guess(Vec state, bool after_failure);
   PetscErrorCode put_on_line(double ratio, Vec state);
   PetscErrorCode residual_norm(Vec state, double* norm);
+  PetscErrorCode settle_what_died_down(PetscReal* f_norm) const;
   PetscErrorCode remainder_is_small(bool* small) const;
   PetscErrorCode look_at_age();
   PetscErrorCode renew_preconditioner();
@@ -99,6 +100,7 @@ class StageSolver {
   Vec start_ = nullptr, before_ = nullptr;  ///< of the step; not owned
   Vec line_ = nullptr;                      ///< the guess on the line through them
   Vec guess_ = nullptr;                     ///< from which Newton's method has started
+  Vec settled_ = nullptr;                   ///< the residual without the rows that need no more
   Stage stage_;                             ///< as TS has asked for it last
   SolveCount count_;
   VolumeImbalance imbalance_;

@@ -17,7 +17,7 @@ struct StepBounds {
 struct StepOutcome {
   double error = 0;              ///< local error over what it may be; 0 where there is no estimate
   double error_before = 0;       ///< that of the step before
-  int newton = 0;                ///< iterations, failed attempts included
+  int newton = 0;                ///< iterations a stage, failed attempts included
   bool failed = false;           ///< attempts given up since Newton or Krylov failed
   bool error_too_large = false;  ///< attempts given up since the local error was too large
 
