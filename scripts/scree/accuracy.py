@@ -41,8 +41,8 @@ class Scene:
     values: object  # of a finished run: name -> number or profile
 
     def point(self, accuracy, work, scheme=None):
-        """A run; scheme: of time, the program's default without."""
-        options = {**self.options, "accuracy": accuracy, **({"time_scheme": scheme} if scheme else {})}
+        """A run; scheme: of time, backward Euler without, and then also without its name."""
+        options = {**self.options, "accuracy": accuracy, "time_scheme": scheme or "beuler"}
         found = sweeps.Point(ROOT / "cases" / self.case, program.default_program(), 1, work, {}, options)
         found.name = "_".join([self.case.split("/")[0], f"{accuracy:g}", *([scheme] if scheme else [])])
         found.directory = work / found.name

@@ -27,4 +27,16 @@ for E in (0.0, 8.0, -30.0):  # 1/s
     options = {**EXACT, "time_step_initial": 0.1, "end_time": 3, "initial_everywhere_velocity_gradient": gradient}
     chi = program.run("chi_relaxation.yaml", f"E{E}_steady", options).fields["frictional_pressure_ratio"]
     checks.close(f"div v {E} 1/s: chi after 300 tau", float(chi.mean()), chi_star(E), relative=1e-9)
+
+# Steps of 5 tau towards a chi* near zero: exact stages of order 2 would lie below zero.
+E = 12.0
+gradient = f"{E / 3}, 0, 0, 0, {E / 3}, 0, 0, 0, {E / 3}"
+for scheme in ("bdf", "arkimex"):
+    run = program.run("chi_relaxation.yaml", f"long_steps_{scheme}",
+                      {**EXACT, "time_scheme": scheme, "time_step_initial": 5 * TAU, "end_time": 50 * TAU,
+                       "initial_everywhere_velocity_gradient": gradient})
+    chi = run.fields["frictional_pressure_ratio"]
+    checks.below(f"{scheme}, steps of 5 tau: steps lost to the solver", run.summary["rejected_solver"], 0.5)
+    checks.above(f"{scheme}, steps of 5 tau: least chi", chi.min(), 0)
+    checks.close(f"{scheme}, steps of 5 tau: chi at the end over chi*", float(chi.mean()) / chi_star(E), 1, absolute=0.05)
 checks.verdict()

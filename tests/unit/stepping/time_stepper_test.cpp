@@ -253,6 +253,20 @@ TEST_F(Policies, RejectStepsWhoseErrorIsTooLarge) {
   }
 }
 
+TEST_F(Policies, CountIterationsByStage) {
+  check(PetscOptionsSetValue(nullptr, "-snes_atol", "1e-11"));
+  StepControl control;
+  control.scheme = TimeScheme::arkimex;
+  control.step.initial = 1e-4;
+  Run run(control);
+  ASSERT_FALSE(run.step().failed);
+  const StepReport report = run.step();
+  ASSERT_FALSE(report.failed) << report.reason;
+  EXPECT_GT(report.newton, StepOutcome::easy_newton);
+  EXPECT_LE(report.newton, 2 * StepOutcome::easy_newton);
+  EXPECT_NEAR(run.stepper.history().dt_next / report.dt, StepController::growth, 1e-12) << "an easy step";
+}
+
 TEST_F(Policies, CutStepsThatTheSolverFails) {
   check(PetscOptionsSetValue(nullptr, "-snes_max_it", "2"));
   StepControl control;
