@@ -22,8 +22,8 @@ class Scheme {
   /// Stages of a step that Newton's method solves.
   int stages() const { return scheme_ == TimeScheme::arkimex ? 2 : 1; }
   int order() const { return scheme_ == TimeScheme::beuler ? 1 : 2; }
-  /// Backward Euler keeps nu and T positive however long the step is. No scheme of higher order does, not even for linear
-  /// balances (Bolley and Crouzeix (1978), RAIRO Anal. numer. 12, 237).
+  /// Backward Euler keeps nu and T positive however long the step is. No scheme of higher order does, not even for
+  /// linear balances (Bolley and Crouzeix (1978), RAIRO Anal. numer. 12, 237).
   bool keeps_signs() const { return scheme_ == TimeScheme::beuler; }
   /// Whether a step depends on nothing but the state before it, so that TS may be made anew between steps.
   bool has_one_step() const { return scheme_ == TimeScheme::beuler; }
