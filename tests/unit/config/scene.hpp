@@ -41,10 +41,13 @@ class Options : public testing::Test {
 
   /// A bin of 8 cm x 10 cm with cells of 1 cm x 2 cm.
   void small_bin() {
+    weightless_bin();
+    set("gravity", "0, -9.81");
+  }
+  void weightless_bin() {
     yaml(R"(
 extent: [8 cm, 10 cm]
 grid: {cells: [8, 5]}
-gravity: [0, -9.81]
 boundary:
   axis: {side: x_lower, kind: symmetry}
   wall: {side: x_upper, kind: wall_johnson_jackson}

@@ -160,17 +160,7 @@ TEST_F(WaysOut, OddNumbersGetARemarkAndSensibleOnesNone) {
   EXPECT_TRUE(has_remark(forgot_mm, "particle_diameter = 0.5 m is odd: the box along y"));
 
   clear();
-  yaml(R"(
-extent: [8 cm, 10 cm]
-grid: {cells: [8, 5]}
-boundary:
-  wall: {side: x_lower, kind: wall_johnson_jackson}
-  wall2: {side: x_upper, kind: wall_johnson_jackson}
-  floor: {side: y_lower, kind: wall_johnson_jackson}
-  top: {side: y_upper, kind: open}
-initial:
-  bed: {solids_fraction: 0.6, box: [0, 8 cm, 0, 5 cm]}
-)");
+  weightless_bin();
   EXPECT_TRUE(has_remark(read_case(), "gravity is not given: it is 0; \"gravity: 0, -9.81\" is that of the earth"));
   set("gravity", "0, 0");
   EXPECT_TRUE(read_case().remarks.empty());
