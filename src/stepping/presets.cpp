@@ -162,13 +162,13 @@ constexpr double factored_cells = 25000;
 /// T, chi and u eliminated in their nodes. The rest, what these exchange with their neighbours, is solved for by GMRES
 /// with ILU(1): with one application of that the whole takes twice the iterations, and on blocks of eight ranks five
 /// times. The core has a factor, and where factors are dear, multigrid. Where a scene has none of the three the core is
-/// all there is.
+/// all there is. u acts in its node through the drag of moving particles: where none move, it stays in the core.
 PetscOptionList condensed(const std::vector<Field>& node, int dim, const PresetScene& scene,
                           const PetscOptionList& ordering) {
   std::string eliminated, face_axes;
   const auto append = [](std::string& list, int number) { list += (list.empty() ? "" : ",") + std::to_string(number); };
   for (const Field& field : node)
-    if (field.unknown->acts_in_its_node)
+    if (field.unknown->acts_in_its_node && (scene.solids_moving || field.face_axis < 0))
       append(eliminated, field.component);
     else
       append(face_axes, field.face_axis);

@@ -14,7 +14,7 @@ rates, runs, mirrors = [], [], []
 for refine in REFINE:
     name = f"{2 / refine:g} mm"
     print(f"{name} ...", flush=True)
-    run = program.run("lip.yaml", f"refine_{refine}", {"grid_refine": refine, "end_time": END}, timeout=None)
+    run = program.run("lip_long.yaml", f"refine_{refine}", {"grid_refine": refine, "end_time": END}, timeout=None)
     monitor = run.monitor
     t, rate = monitor["time"], monitor["flux_orifice"]
     late = t > FROM * END

@@ -49,7 +49,7 @@ for Re, (grids, ratio, end, bound, ghia_bound) in CAVITIES.items():
         name = f"Re {Re}, {cells} x {cells} cells"
         options = {**graded(cells, ratio), "gas_viscosity": 1 / Re, "end_time": end}
         if Re > 100:  # towards the steady state only
-            options.update({"time_step_max": 10, "accuracy": 3e-2})
+            options.update({"time_step_max": 10, "accuracy": 0.3})
         run = program.run("gas_cavity.yaml", f"Re_{Re}_{cells}", options)
         y = np.concatenate([[0], centres(run.fields["y_faces"]), [1]])
         u = interpolation(y, np.concatenate([[0], run.fields["gas_velocity_x_face"][:, cells // 2], [1]]))

@@ -18,6 +18,7 @@ struct PresetScene {
   int fill = 0;                           ///< levels of the ILU of `fieldsplit` with gas
   std::array<double, max_dim> gravity{};  ///< [m/s2]; its direction counts
   double cells = 0;                       ///< of the grid
+  bool solids_moving = true;
 };
 
 /// Options of a preset for nodes with the unknowns `node`, those of Model::fields, nu being the first.

@@ -106,6 +106,9 @@ TEST_F(Presets, FillIsThatOfTheGasFieldsplit) {
 TEST_F(Presets, CondensedEliminatesWhatActsInItsNode) {
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, with_gas), "pc_condensed_eliminated"), "3,4,6,7");
   EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas), "pc_condensed_eliminated"), "3,4");
+  PresetScene fixed_bed;
+  fixed_bed.solids_moving = false;
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, with_gas, fixed_bed), "pc_condensed_eliminated"), "6,7");
 }
 
 // A cold scene with critical_state friction: a run comes to the preset by itself, and must go on.
