@@ -52,7 +52,7 @@ PetscErrorCode StageSolver::create_newton() {
   PetscCall(SNESSetDM(newton_, problem_.dm()));
   PetscCall(SNESSetJacobian(newton_, problem_.matrix(), problem_.matrix(), nullptr, nullptr));
   // The absolute tolerance is set_tolerance's. stol 0: a failed line search ends with tiny steps.
-  PetscCall(SNESSetTolerances(newton_, petsc_unchanged, 1e-8, 0, 15, 10000));
+  PetscCall(SNESSetTolerances(newton_, petsc_unchanged, 1e-8, 0, 25, 10000));
   PetscCall(SNESSetForceIteration(newton_, PETSC_TRUE));
   PetscCall(SNESSetConvergenceHistory(newton_, nullptr, nullptr, PETSC_DECIDE, PETSC_TRUE));
   PetscCall(SNESSetFromOptions(newton_));
@@ -226,7 +226,6 @@ PetscErrorCode StageSolver::test_convergence(SNES snes, PetscInt iteration, Pets
   const auto& self = *static_cast<const StageSolver*>(solver);
   if (!self.scheme_.keeps_signs() && iteration > 0) PetscCall(self.settle_what_died_down(&f_norm));
   PetscCall(SNESConvergedDefault(snes, iteration, x_norm, step_norm, f_norm, reason, nullptr));
-  if (*reason == SNES_CONVERGED_ITERATING && is_lost(self.norms())) *reason = SNES_DIVERGED_DTOL;
   if (*reason > 0 && iteration > 0) {
     bool small;
     PetscCall(self.remainder_is_small(&small));

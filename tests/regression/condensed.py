@@ -66,11 +66,13 @@ for layout, (case, options, end, most) in LAYOUTS.items():
 # Another multigrid for the core, named by the user.
 program.run("../benchmark/bin_3d.yaml", "gamg", {**COARSE_BOX, **CONDENSED, "end_time": 2e-4, "condensed_core_pc_type": "gamg"})
 
-# ILU on the graded cells of the bin, rigid friction: its nodes by rows take 18 iterations a linear system.
+# ILU on the graded cells of the bin, rigid friction: its nodes by rows take 18 iterations a linear system. Newton's method
+# wanders before it converges; given up too early, 7 steps are lost.
 GRADED = {"grid_x_cells": "5, 7", "grid_y_cells": "8, 20, 25", "friction_fluctuation": 0, "end_time": 0.02}
 graded = program.run("../../cases/bin_discharge/case.yaml", "graded", {**GRADED, "solver": "ilu"}).summary
 checks.below("ilu, graded cells, c = 0: Krylov iterations a linear system",
              graded["krylov_iterations"] / graded["newton_iterations"], 13)
+checks.below("graded cells, c = 0: steps lost to the solver", graded["rejected_solver"], 3.5)
 
 # Jacobi in the place of ILU, and few iterations: the run goes over to condensed, and no step is cut.
 weak = program.run("small_bin.yaml", "weak", {"end_time": 0.01, "ksp_max_it": 6, "sub_pc_type": "jacobi"})
