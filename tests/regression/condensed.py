@@ -24,7 +24,7 @@ LAYOUTS = {
     "space, none": ("../benchmark/bin_3d.yaml", {**COARSE_BOX, **SEVERAL_GRIDS}, 0.006, 8),
     "space, incompressible": (BED, {**COARSE_BED, **SEVERAL_GRIDS}, 0.003, 8),
 }
-TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 2e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,
+TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 1e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,
          "snes_stol": 1e-12, "ksp_rtol": 1e-8}
 CONDENSED = {"solver": "condensed"}
 

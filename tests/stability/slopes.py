@@ -43,6 +43,6 @@ for start, T in (("cold", 1e-10), ("warm", 1e-4)):
             checks.above(f"{start}, {angle} degrees, eps {eps:g}/s: depth of the bed over that at the start",
                          np.sum(nu) / (40 * 0.6), 0.98)
     run = program.run("slopes.yaml", f"{start}_30", {
-        "gravity": gravity(30), "friction_strain_rate_floor": 1e-2, "initial_layer_granular_temperature": T})
-    checks.above(f"{start}, 30 degrees: mean speed at 2 s [m/s]", run.monitor["speed_max_weighted"][-1], 0.5)
+        "gravity": gravity(30), "friction_strain_rate_floor": 1e-2, "initial_layer_granular_temperature": T, "end_time": 1})
+    checks.above(f"{start}, 30 degrees: mean speed at 1 s [m/s]", run.monitor["speed_max_weighted"][-1], 0.25)
 checks.verdict()
