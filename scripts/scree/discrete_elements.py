@@ -1,9 +1,10 @@
 """Discharge of flat-floored bins by discrete elements, as reference data: input for LAMMPS, its run, numbers from it.
 
-    scripts/reference/discrete_elements.py anand [--work out/discrete_elements] [--only NAME,...] [--dry-run]
+    scripts/reference/discrete_elements.py anand|paper [--work out/discrete_elements] [--only NAME,...] [--dry-run]
 
 Settles spheres in a bin, opens the slot in its floor, and measures the discharge. Needs LAMMPS, in Debian the package
-`lammps`; Scree itself does not. What is there already is not run again. Writes CSV files into cases/silo_anand/reference:
+`lammps`; Scree itself does not. What is there already is not run again. Writes CSV files into the folder `reference` of
+cases/silo_anand, or of cases/why_c for the bin of Srivastava & Sundaresan (2003):
 the mass discharged against time, the fields of the steady part on cells of two diameters, and a row a run of numbers.
 The grains are those of `pair_style granular`: springs and dashpots along the normal, springs with a Coulomb limit across
 it. Units are cgs. x is across the bin from its middle, y up from its floor, z along the slot, where the bin is periodic."""
@@ -23,7 +24,6 @@ import numpy as np
 from scree import slot_flow
 
 ROOT = Path(__file__).resolve().parents[2]
-REFERENCE = ROOT / "cases" / "silo_anand" / "reference"
 GRAVITY = 981.0  # [cm/s2]
 STEPS_PER_COLLISION = 40
 BELOW = 3.0  # where grains leave the box, under the floor [cm]
@@ -45,7 +45,7 @@ class Bin:
     orifice: float
     diameter: float
     density: float
-    friction: float  # between grains, and with the walls
+    friction: float  # between grains, and with the floor
     restitution: float
     wall_restitution: float
     stiffness: float  # of the normal spring [dyn/cm]
@@ -54,6 +54,7 @@ class Bin:
     window: tuple  # of the fields [s]
     rate_window: tuple  # of the rate [s]
     rolling: float = 0.0  # greatest rolling torque over normal force times reduced radius
+    wall_friction: float = None  # with the sides; None: as with the floor
     seed: int = 1
 
     @property
@@ -87,19 +88,25 @@ ANAND = Bin("anand", 6790, 12.544, 0.56, 2.5088, 0.224, 2.5, 0.2, 0.94, 0.9, sti
             window=(0.15, 0.45), rate_window=(0.07, 0.72))
 #: Softer contacts, for what takes longer steps and for what stiffness changes.
 SOFT = dataclasses.replace(ANAND, name="anand_soft", stiffness=ANAND.stiffness / 4, discharge=0.75)
+#: The bin of Srivastava & Sundaresan (2003), a slice of it filled 10 cm high. Friction and rolling are those with which
+#: a shear cell of these spheres has the paper's angle of friction, sin 28.5 deg = 0.477; the sides have its 12.3 deg.
+PAPER = Bin("paper", 22500, 8.0, 0.25, 1.4, 0.1, 2.9, 0.5, 0.91, 0.91, stiffness=3e5, settle=0.7, discharge=0.35,
+            window=(0.15, 0.35), rate_window=(0.1, 0.35), rolling=0.15, wall_friction=math.tan(math.radians(12.3)))
 BINS = {
     "anand": (ANAND, SOFT,
               dataclasses.replace(SOFT, name="anand_soft_rolling", rolling=0.1786, discharge=2.4)),
+    "paper": (PAPER,),
 }
+REFERENCES = {"anand": ROOT / "cases" / "silo_anand" / "reference", "paper": ROOT / "cases" / "why_c" / "reference"}
 
 
 # ---- input ----
 
 
-def contact(silo, restitution, reduced_mass):
+def contact(silo, restitution, reduced_mass, friction):
     """The contact law of pair_style granular, for grains or for a wall."""
     words = (f"hooke {silo.stiffness:.8g} {silo.damping(restitution, reduced_mass):.8g} damping mass_velocity "
-             f"tangential linear_history {TANGENTIAL * silo.stiffness:.8g} 0.5 {silo.friction:g}")
+             f"tangential linear_history {TANGENTIAL * silo.stiffness:.8g} 0.5 {friction:g}")
     if silo.rolling:
         # The rolling spring is that of the tangent; its dashpot critically damps a grain of this size.
         stiffness = TANGENTIAL * silo.stiffness
@@ -134,7 +141,7 @@ def grain_commands(silo):
     return f"""neighbor {0.2 * silo.diameter:g} bin
 neigh_modify delay 0 every 5 check yes
 pair_style granular
-pair_coeff * * {contact(silo, silo.restitution, silo.mass / 2)}
+pair_coeff * * {contact(silo, silo.restitution, silo.mass / 2, silo.friction)}
 timestep {silo.step():.8g}
 fix motion all nve/sphere"""
 
@@ -143,7 +150,9 @@ def lammps_input(silo):
     """The input: settles, opens the slot at once, discharges. A plate 0.1 diameters thick is what remains of the floor."""
     every, frame = silo.steps_between()
     settling = frame * round(silo.settle / 2 / FRAME)
-    wall = contact(silo, silo.wall_restitution, silo.mass)
+    floor = contact(silo, silo.wall_restitution, silo.mass, silo.friction)
+    smooth = silo.friction if silo.wall_friction is None else silo.wall_friction
+    sides = contact(silo, silo.wall_restitution, silo.mass, smooth)
     half, far, plate = silo.width / 2, silo.width, 0.1 * silo.diameter
     return f"""units cgs
 atom_style sphere
@@ -153,8 +162,8 @@ comm_modify vel yes
 read_data grains.data
 {grain_commands(silo)}
 fix weight all gravity {GRAVITY:g} vector 0 -1 0
-fix sides all wall/gran granular {wall} xplane {-half:g} {half:g}
-fix floor all wall/gran granular {wall} yplane 0 NULL
+fix sides all wall/gran granular {sides} xplane {-half:g} {half:g}
+fix floor all wall/gran granular {floor} yplane 0 NULL
 compute pairs all pair/local dist
 compute nearest all reduce min c_pairs
 thermo_style custom step atoms ke c_nearest
@@ -170,8 +179,8 @@ write_dump all custom settled.dump x y z vx vy vz modify format float %.6g
 unfix floor
 region left block {-far:g} {-silo.orifice / 2:g} {-plate:g} 0 -100 100 side out units box
 region right block {silo.orifice / 2:g} {far:g} {-plate:g} 0 -100 100 side out units box
-fix left all wall/gran/region granular {wall} region left
-fix right all wall/gran/region granular {wall} region right
+fix left all wall/gran/region granular {floor} region left
+fix right all wall/gran/region granular {floor} region right
 region inside block INF INF {-silo.diameter / 2:g} INF INF INF units box
 variable seconds equal (step-{2 * settling})*dt
 variable inside equal count(all,inside)
@@ -391,20 +400,21 @@ def write_run(measured):
     """mass_NAME.csv and fields_NAME.csv of a run."""
     silo = measured.silo
     every = slice(None, None, 10)  # 10 ms
-    write(REFERENCE / f"mass_{silo.name}.csv", f"{source(silo)}; grains that are below the slot as a whole",
+    folder = REFERENCES[group(silo)]
+    write(folder / f"mass_{silo.name}.csv", f"{source(silo)}; grains that are below the slot as a whole",
           ["time [s]", "discharged [g]"],
           [(f"{t:.3f}", f"{m:.3f}") for t, m in zip(measured.time[every], measured.mass[every])])
     flow = measured.flow
     rows = [(f"{x:.4f}", f"{y:.4f}", f"{flow.nu[j, i]:.4f}", f"{flow.vx[j, i]:.4g}", f"{flow.vy[j, i]:.4g}",
              f"{flow.temperature[j, i]:.4g}") for j, y in enumerate(flow.y) for i, x in enumerate(flow.x)]
-    write(REFERENCE / f"fields_{silo.name}.csv",
+    write(folder / f"fields_{silo.name}.csv",
           f"{source(silo)}; means from {silo.window[0]} to {silo.window[1]} s over both halves and over cells of "
           f"{measured.fields.size:.4f} cm; x from the middle, y from the floor, centres of cells",
           ["x [cm]", "y [cm]", "nu", "vx [cm/s]", "vy [cm/s]", "T [cm2/s2]"], rows)
 
 
 def write_numbers(rows, name):
-    write(REFERENCE / f"{name}.csv", f"scripts/reference/discrete_elements.py {name}: LAMMPS, a row a run",
+    write(REFERENCES[name] / f"{name}.csv", f"scripts/reference/discrete_elements.py {name}: LAMMPS, a row a run",
           list(rows[0]), [list(row.values()) for row in rows])
 
 
@@ -425,7 +435,7 @@ def main():
             run(silo, given.work / silo.name, given.command)
     if given.dry_run:
         return
-    REFERENCE.mkdir(parents=True, exist_ok=True)
+    REFERENCES[given.bin].mkdir(parents=True, exist_ok=True)
     measured = [Measured(silo, given.work / silo.name) for silo in BINS[given.bin] if is_done(silo, given.work / silo.name)]
     for one in measured:
         write_run(one)

@@ -1,9 +1,9 @@
 """Friction of spheres in simple shear by discrete elements: where the angle of friction of a case can come from.
 
-    scripts/reference/shear_cell.py [--work out/shear_cell]
+    scripts/reference/shear_cell.py [anand|paper] [--work out/shear_cell]
 
-Shears a periodic box of the spheres of Anand's bin with LAMMPS, at several solids fractions, each at a constant one. Writes
-cases/silo_anand/reference/shear_cell.csv: the ratio of stresses against the inertial number, means over the second half."""
+Shears a periodic box of the spheres of a bin of discrete_elements.py with LAMMPS, at several solids fractions, each at a
+constant one. Writes shear_cell.csv into the folder of the reference data of that bin: the ratio of stresses against the inertial number, means over the second half."""
 import argparse
 import dataclasses
 import math
@@ -13,11 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
-from scree.discrete_elements import ANAND, REFERENCE, TANGENTIAL, grain_commands, write
+from scree.discrete_elements import ANAND, PAPER, REFERENCES, TANGENTIAL, grain_commands, write
 
 COUNT = 8  # spheres along each axis
 FRACTIONS = (0.56, 0.575, 0.585, 0.595, 0.605)
-ROLLING = (0.0, 0.1786)  # as in the runs of the bin
+SPHERES = {"anand": ANAND, "paper": PAPER}
+ROLLING = {"anand": (0.0, 0.1786), "paper": (0.0, PAPER.rolling)}  # as in the runs of the bins, and none
 RATE = 10.0  # of shear [1/s]
 STRAIN = 4.0
 COMPRESS = 0.1  # seconds in which the box shrinks to the solids fraction
@@ -82,20 +83,22 @@ def row(silo, fraction, directory):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bin", nargs="?", default="anand", choices=sorted(SPHERES), help="whose spheres (anand)")
     parser.add_argument("--work", type=Path, default=Path("out/shear_cell"), help="directory of the runs")
     parser.add_argument("--command", default=shutil.which("lmp") or "lmp", help="LAMMPS")
     given = parser.parse_args()
     rows = []
-    for rolling in ROLLING:
-        silo = dataclasses.replace(ANAND, rolling=rolling)
+    spheres = SPHERES[given.bin]
+    for rolling in ROLLING[given.bin]:
+        silo = dataclasses.replace(spheres, rolling=rolling)
         for fraction in FRACTIONS:
-            directory = given.work / f"rolling_{rolling:g}_{fraction:g}"
+            directory = given.work / given.bin / f"rolling_{rolling:g}_{fraction:g}"
             if not (directory / "done").exists():
                 run(silo, fraction, directory, given.command)
             rows.append(row(silo, fraction, directory))
             print(rows[-1], flush=True)
-    write(REFERENCE / "shear_cell.csv",
-          f"scripts/reference/shear_cell.py: LAMMPS, {COUNT**3} spheres of mu {ANAND.friction:g}, e {ANAND.restitution:g} "
+    write(REFERENCES[given.bin] / "shear_cell.csv",
+          f"scripts/reference/shear_cell.py: LAMMPS, {COUNT**3} spheres of mu {spheres.friction:g}, e {spheres.restitution:g} "
           f"(across the contact {TANGENTIAL:.3f} of the stiffness) at a rate of shear of {RATE:g} 1/s",
           ["rolling", "nu", "p [dyn/cm2]", "inertial number", "tau/p", "error", "tau/p_yy"], rows)
 

@@ -1,6 +1,7 @@
 """Why the paper's bin flows 1.6 times as fast as experiments: the model changed step by step.
 
     scripts/why_c.py [--work out/why_c] [--jobs N] [--only NAME,...] [--dry-run]
+    scripts/why_c.py --slice        # beside discrete elements, see scree/paper_slice.py
 
 Runs the 1 mm bin with each model of `STEPS` on three grids, with orifices of several widths, and with other diameters
 in one term at a time. What is there already is not run again. Writes into cases/why_c: rates.csv, a row a run, the
@@ -14,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from scree import output, plots, program, sweeps
+from scree import output, paper_slice, plots, program, sweeps
 from scree.bin_discharge import Run
 from scree.plots import plt
 
@@ -339,9 +340,13 @@ def main():
     parser.add_argument("--jobs", type=int, default=program.cores(), help="runs at a time")
     parser.add_argument("--only", help="models to run, separated by commas")
     parser.add_argument("--budget", action="store_true", help="leave out the finest grid")
+    parser.add_argument("--slice", action="store_true", help="the bin filled 10 cm high, beside discrete elements, alone")
     parser.add_argument("--dry-run", action="store_true", help="show the runs")
     given = parser.parse_args()
     program.check_program(program.default_program())
+    if given.slice:
+        paper_slice.main(given.work, given.jobs)
+        return
     points = [(job, job.point(given.work)) for job in jobs() if not (given.budget and job.grid == "double")]
     only = given.only.split(",") if given.only else None
     missing = [point for job, point in points if point.state() == "missing" and (not only or job.model in only)]

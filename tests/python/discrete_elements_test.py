@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from scree import slot_flow
-from scree.discrete_elements import ANAND, Fields, filling, frames, grains, lammps_input, sphere_points
+from scree.discrete_elements import ANAND, PAPER, Fields, filling, frames, grains, lammps_input, sphere_points
 
 ANGLE = 40.0  # of the made-up shoulder [deg]
 
@@ -93,6 +93,13 @@ class Grains(unittest.TestCase):
         self.assertIn("region left block -12.544 -1.2544", text)
         self.assertNotIn("rolling", text)
         self.assertIn("rolling sds", lammps_input(dataclasses.replace(ANAND, rolling=0.1)))
+
+    def test_sides_may_have_a_friction_of_their_own(self):
+        lines = lammps_input(PAPER).splitlines()
+        friction = {line.split()[1]: float(line.split(" linear_history ")[1].split()[2])
+                    for line in lines if line.startswith("fix") and "linear_history" in line}
+        self.assertAlmostEqual(friction.pop("sides"), math.tan(math.radians(12.3)), places=5)
+        self.assertEqual(friction, {"floor": 0.5, "left": 0.5, "right": 0.5})
 
     def test_fields_of_grains_that_move_alike(self):
         random = np.random.default_rng(3)

@@ -2,7 +2,9 @@
 import math
 import unittest
 
-from scree import case_file, why_c
+import numpy as np
+
+from scree import case_file, paper_slice, why_c
 
 
 def made_up(model, width, rate, grid="case"):
@@ -52,6 +54,24 @@ class Runs(unittest.TestCase):
         best = next(job for job in jobs if job.model == "best")
         self.assertEqual((best.case, best.options), ("best.yaml", why_c.GRIDS["half"]))
         self.assertEqual(case_file.read(why_c.BIN / best.case)["friction_fluctuation"], "0")
+
+
+class Slice(unittest.TestCase):
+    def test_cells_of_the_reference_fill_the_bin_from_its_middle_and_have_the_floor_as_a_face(self):
+        x, y = paper_slice.cells_of_reference()
+        self.assertAlmostEqual(x[0], 0)
+        self.assertAlmostEqual(x[-1], 4)
+        self.assertLess(np.abs(y).min(), 1e-9)
+
+    def test_spheres_have_the_angle_of_friction_of_the_case(self):
+        slow = [float(r["tau/p"]) for r in paper_slice.read_csv(paper_slice.REFERENCE / "shear_cell.csv")
+                if float(r["rolling"]) == paper_slice.PAPER.rolling and float(r["inertial number"]) < 0.01]
+        self.assertGreater(len(slow), 2)
+        self.assertAlmostEqual(np.mean(slow), math.sin(math.radians(28.5)), delta=0.02)
+
+    def test_a_number_that_there_is_not_is_left_out(self):
+        row = dict.fromkeys(paper_slice.SHOWN, "1")
+        self.assertIn("| a |  | 1 |", paper_slice.table({"a": {**row, paper_slice.SHOWN[0]: "nan"}}))
 
 
 if __name__ == "__main__":
