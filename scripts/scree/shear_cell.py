@@ -3,7 +3,8 @@
     scripts/reference/shear_cell.py [anand|paper] [--work out/shear_cell]
 
 Shears a periodic box of the spheres of a bin of discrete_elements.py with LAMMPS, at several solids fractions, each at a
-constant one. Writes shear_cell.csv into the folder of the reference data of that bin: the ratio of stresses against the inertial number, means over the second half."""
+constant one. Writes shear_cell.csv into the folder of the reference data of that bin: the ratio of stresses against the
+inertial number, means over the second half."""
 import argparse
 import dataclasses
 import math

@@ -87,9 +87,8 @@ std::string Simulation::solver_name() const {
 
 PetscOptionList Simulation::solver_options() const {
   const ModelParameters& model = problem_.setup().model;
-  return preset_options(
-      preset(), problem_.model().fields(),
-      {ranks_of(PETSC_COMM_WORLD), fill(), model.gravity, cells_of(case_.box), model.solids_moving});
+  return preset_options(preset(), problem_.model().fields(),
+                        {ranks_of(PETSC_COMM_WORLD), fill(), model.gravity, cells_of(case_.box), model.solids_moving});
 }
 
 void Simulation::print_solver() const {
