@@ -4,8 +4,8 @@
 
 Settles spheres in a bin, opens the slot in its floor, and measures the discharge. Needs LAMMPS, in Debian the package
 `lammps`; Scree itself does not. What is there already is not run again. Writes CSV files into the folder `reference` of
-cases/silo_anand, or of cases/why_c for the bin of Srivastava & Sundaresan (2003):
-the mass discharged against time, the fields of the steady part on cells of two diameters, and a row a run of numbers.
+cases/silo_anand, or of cases/why_c for the bin of Srivastava & Sundaresan (2003): the mass discharged against time, the
+fields of the steady part on cells of two diameters, and a row a run of numbers.
 The grains are those of `pair_style granular`: springs and dashpots along the normal, springs with a Coulomb limit across
 it. Units are cgs. x is across the bin from its middle, y up from its floor, z along the slot, where the bin is periodic."""
 import argparse

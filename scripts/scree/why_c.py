@@ -9,14 +9,14 @@ figures, and the tables of README.md. --budget leaves out the finest grid, which
 import argparse
 import csv
 import math
-import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-from scree import output, paper_slice, plots, program, sweeps
+from scree import output, page_tables, paper_slice, plots, program, sweeps
 from scree.bin_discharge import Run
+from scree.page_tables import markdown
 from scree.plots import plt
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -232,11 +232,6 @@ def width_law(rows, model):
 SHOWN = ("rate [g/s]", "C", "rate / slot law", "nu in the orifice", "corner / plug", "shoulder height [cm]", "newton", "cpu [s]")
 
 
-def markdown(head, lines):
-    """A table of texts."""
-    return "\n".join("| " + " | ".join(line) + " |" for line in (head, ["---"] * len(head), *lines))
-
-
 def steps_table(rows):
     """A line a model on the grid of case.yaml, with its rates on the other grids."""
     by_grid = {grid: usual(rows, grid) for grid in GRIDS}
@@ -268,16 +263,6 @@ def diameters_table(rows):
         if name in one:
             lines.append([words, *(str(one[name][column]) for column in SHOWN[:2])])
     return markdown(["diameter", *SHOWN[:2]], lines)
-
-
-def fill_page(rows):
-    """Puts the tables between their marks on the page."""
-    page = PAGE / "README.md"
-    text = page.read_text()
-    for name, maker in (("steps", steps_table), ("widths", widths_table), ("diameters", diameters_table)):
-        text = re.sub(rf"(<!-- generated: {name} -->\n).*?(<!-- end -->)",
-                      lambda match: f"{match[1]}{maker(rows)}\n{match[2]}", text, flags=re.S)
-    page.write_text(text)
 
 
 # ---- figures ----
@@ -360,7 +345,8 @@ def main():
     plots.draw_to_files()
     for name, figure in (("rates", draw_rates(rows)), ("widths", draw_widths(rows)), ("shoulders", draw_shoulders(points))):
         figure.savefig(PAGE / f"{name}.png")
-    fill_page(rows)
+    page_tables.put(PAGE / "README.md",
+                    {"steps": steps_table(rows), "widths": widths_table(rows), "diameters": diameters_table(rows)})
 
 
 if __name__ == "__main__":

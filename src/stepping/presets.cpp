@@ -17,7 +17,7 @@ std::string component_list(int first, int count) {
 }
 
 /// Newton for every preset; the line search is ours unless one is named.
-const PetscOptionList newton{{"snes_type", "newtonls"}, {"snes_max_it", "25"}};
+const PetscOptionList newton{{"snes_type", "newtonls"}};
 
 /// Factorisation by MUMPS; GMRES around it lets a factorisation serve several Newton steps. Small cases, reference.
 /// The ordering is MUMPS's choice, PORD: Debian's build falls back to it when asked for METIS (ICNTL(7) = 5). AMF

@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from scree import case_file, paper_slice, why_c
+from scree import beside_grains, case_file, paper_slice, why_c
 
 
 def made_up(model, width, rate, grid="case"):
@@ -58,14 +58,16 @@ class Runs(unittest.TestCase):
 
 class Slice(unittest.TestCase):
     def test_cells_of_the_reference_fill_the_bin_from_its_middle_and_have_the_floor_as_a_face(self):
-        x, y = paper_slice.cells_of_reference()
+        flow = paper_slice.reference_flow()
+        x, y = flow.x_faces, flow.y_faces
         self.assertAlmostEqual(x[0], 0)
         self.assertAlmostEqual(x[-1], 4)
         self.assertLess(np.abs(y).min(), 1e-9)
 
     def test_spheres_have_the_angle_of_friction_of_the_case(self):
-        slow = [float(r["tau/p"]) for r in paper_slice.read_csv(paper_slice.REFERENCE / "shear_cell.csv")
-                if float(r["rolling"]) == paper_slice.PAPER.rolling and float(r["inertial number"]) < 0.01]
+        cell = beside_grains.read_csv(paper_slice.REFERENCE / "shear_cell.csv")
+        slow = [float(ratio) for ratio, rolling, I in zip(cell["tau/p"], cell["rolling"], cell["inertial number"])
+                if float(rolling) == paper_slice.PAPER.rolling and float(I) < 0.01]
         self.assertGreater(len(slow), 2)
         self.assertAlmostEqual(np.mean(slow), math.sin(math.radians(28.5)), delta=0.02)
 

@@ -15,7 +15,9 @@ elements = slot_flow.slope(*silo_anand.reference_mass("mass_anand"), WINDOW)
 rates = {}
 for name in ("case", "paper"):
     run = program.run(silo_anand.PAGE / f"{name}.yaml", name, COARSE)
-    rates[name] = silo_anand.Run(run.directory).rate_in(WINDOW)
+    found = silo_anand.run_of(run.directory)
+    rates[name] = found.rate_in(WINDOW)
+    silo_anand.report(found)
     checks.below(f"{name}: mass error", np.abs(run.monitor["mass_error"]).max(), 1e-12)
 checks.close("rate of discrete elements [g/s]", rates["case"], elements, relative=BAND)
 checks.above("paper's friction: rate [g/s]", rates["paper"], elements * (1 + BAND))

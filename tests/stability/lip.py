@@ -5,7 +5,8 @@ from scree_program import Checks, Program
 from symmetry import asymmetry
 
 program, checks = Program(), Checks("lip of the orifice, start on 2 and 1 mm", "H9")
-TIGHT = {"solver": "multigrid", "ksp_rtol": 1e-6, "time_step_adaptive": "no", "time_step_initial": 5e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8}
+TIGHT = {"solver": "multigrid", "ksp_rtol": 1e-6, "time_step_adaptive": "no", "time_step_initial": 5e-4, "snes_rtol": 1e-9,
+         "snes_atol": 1e-8}
 left = {}
 for refine, end in ((1, 0.02), (2, 0.01)):
     name = f"{2 / refine:g} mm"
