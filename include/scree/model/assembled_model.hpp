@@ -108,7 +108,7 @@ class AssembledModel final : public Model {
     }
   }
 
-  void impose_gas(double time, const double* state, double* owned) const override {
+  [[gnu::cold]] void impose_gas(double time, const double* state, double* owned) const override {
     each_constraint(assembly_.scene.at(time), [&](const Constraint& c) {
       if (!L::is_u(c.component)) return;
       const bool superficial = c.kind == Constraint::superficial;
@@ -117,7 +117,7 @@ class AssembledModel final : public Model {
     });
   }
 
-  void relax_chi([[maybe_unused]] const double* state, [[maybe_unused]] double share,
+  [[gnu::cold]] void relax_chi([[maybe_unused]] const double* state, [[maybe_unused]] double share,
                  [[maybe_unused]] double* owned) const override {
     if constexpr (L::has_chi) {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
@@ -132,7 +132,7 @@ class AssembledModel final : public Model {
     }
   }
 
-  void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
+  [[gnu::cold]] void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
                          [[maybe_unused]] double least_nu, [[maybe_unused]] double* owned) const override {
     if constexpr (L::has_T) {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
@@ -165,7 +165,7 @@ class AssembledModel final : public Model {
     return result;
   }
 
-  double solids_flux(const double* state, int axis, const Index& I) const override {
+  [[gnu::cold]] double solids_flux(const double* state, int axis, const Index& I) const override {
     double flux = 0;
     static_for<L::dim>([&](auto a) {
       using Kernel = ScalarFluxes<L, SecondOrder, a()>;
@@ -179,7 +179,7 @@ class AssembledModel final : public Model {
 
   /// What the balance of v has at the end of the half of a cell that lies before the wall: the stress in the middle of
   /// the cell, what the particles bring along, the weight of that half, and what walls beside it take.
-  std::array<double, max_dim> wall_traction(double time, const double* state, int axis, const Index& I,
+  [[gnu::cold]] std::array<double, max_dim> wall_traction(double time, const double* state, int axis, const Index& I,
                                             End cells) const override {
     const Scene scene = assembly_.scene.at(time);
     const bool above = cells == End::upper;
@@ -218,7 +218,7 @@ class AssembledModel final : public Model {
     return traction;
   }
 
-  double gas_flux(double time, const double* state, int axis, const Index& I) const override {
+  [[gnu::cold]] double gas_flux(double time, const double* state, int axis, const Index& I) const override {
     const Scene scene = assembly_.scene.at(time);
     double flux = 0;
     static_for<L::dim>([&](auto a) {
