@@ -16,12 +16,10 @@ void declare_solver(OptionSet& o, Case& the_case) {
           .unset_by_default(  // one written into the effective case would be given when that is run again
               "ilu, with gas fieldsplit; on the way others where these pay, see cases/GUIDE.md")
           .given;
-  the_case.solver.tangent = the_case.friction.fluctuation < 1 ? TangentKind::stress_velocity : TangentKind::exact;
   o.choice("newton_tangent", the_case.solver.tangent,
            {{"exact", TangentKind::exact}, {"stress_velocity", TangentKind::stress_velocity}},
            "tangent of S/gamma in Newton's method, for the way to the solution alone: the derivative, or the form of "
            "Rudi et al. (2020), which holds where a bed hardly moves")
-      .default_from("stress_velocity where friction_fluctuation is below 1, else exact")
       .used_if(the_case.friction.model->has_friction, "friction_model is none");
   o.boolean("solver_extrapolate", the_case.solver.extrapolate, "first guess of a step by extrapolation");
   o.boolean("solver_view", the_case.solver.view, "print the PETSc options that the preset stands for");

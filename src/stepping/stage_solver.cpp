@@ -130,8 +130,12 @@ PetscErrorCode StageSolver::begin_newton() {
 PetscErrorCode StageSolver::run_newton(Vec right_side, Vec state, bool counts, SNESConvergedReason* reason) {
   PetscFunctionBeginUser;
   PetscInt iterations, krylov;
+  KSP ksp;
   PetscCall(begin_newton());
+  PetscCall(SNESGetKSP(newton_, &ksp));
+  PetscCall(KSPGetTolerances(ksp, &linear_tolerance_, nullptr, nullptr, nullptr));
   PetscCall(SNESSolve(newton_, right_side, state));
+  PetscCall(KSPSetTolerances(ksp, linear_tolerance_, petsc_unchanged, petsc_unchanged, petsc_unchanged));
   PetscCall(SNESGetConvergedReason(newton_, reason));
   PetscCall(SNESGetIterationNumber(newton_, &iterations));
   PetscCall(SNESGetLinearSolveIterations(newton_, &krylov));
@@ -264,7 +268,8 @@ PetscErrorCode StageSolver::settle_what_died_down(PetscReal* f_norm) const {
   PetscFunctionReturn(0);
 }
 
-/// Decides what the iteration takes over from the one before: the Jacobian, the preconditioner.
+/// Decides what the iteration takes over from the one before, the Jacobian, the preconditioner, and how well it solves
+/// the linear system.
 PetscErrorCode StageSolver::before_iteration(SNES snes, PetscInt iteration) {
   PetscFunctionBeginUser;
   void* solver;
@@ -272,8 +277,13 @@ PetscErrorCode StageSolver::before_iteration(SNES snes, PetscInt iteration) {
   PetscCall(SNESGetApplicationContext(snes, &solver));
   auto& self = *static_cast<StageSolver*>(solver);
   PetscCall(SNESGetTolerances(snes, &tolerance, nullptr, nullptr, nullptr, nullptr));
-  self.keeps_jacobian_ = !self.tests_jacobian_ && keeps_jacobian(self.norms(), tolerance);
+  const ResidualNorms norms = self.norms();
+  self.keeps_jacobian_ = !self.tests_jacobian_ && keeps_jacobian(norms, tolerance);
   if (iteration > 0) PetscCall(self.look_at_age());
+  KSP ksp;
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPSetTolerances(ksp, linear_tolerance(self.linear_tolerance_, norms, tolerance), petsc_unchanged,
+                             petsc_unchanged, petsc_unchanged));
   PetscInt lag;
   PetscCall(SNESGetLagPreconditioner(snes, &lag));
   if (lag == 1 || self.renews_) ++self.count_.setups;

@@ -110,7 +110,7 @@ struct PetscOption {
 struct SolverParameters {
   SolverPreset preset = SolverPreset::ilu;
   bool preset_given = false;  ///< one that was not may change on the way
-  TangentKind tangent = TangentKind::exact;
+  TangentKind tangent = TangentKind::stress_velocity;
   bool extrapolate = true;
   bool view = false;  ///< print the solver's set-up and the PETSc options it stands for
 };

@@ -2,6 +2,7 @@
 /// limit they wander for twenty iterations, and then fall by hundreds in each.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace scree {
@@ -15,6 +16,15 @@ inline bool keeps_jacobian(const ResidualNorms& norms, double tolerance) {
   constexpr double reduction = 0.1, distance = 30;
   if (norms.size() < 2) return false;
   return norms.back() < reduction * norms[norms.size() - 2] && norms.back() < distance * tolerance;
+}
+
+/// Relative tolerance of the next linear system, `asked` far from the solution: what it would leave beyond a share of
+/// the residual at which Newton stops is work for nothing. It stays within `most` times what is asked: who asks for
+/// exact solutions gets them. Below the tolerance Newton goes on for single cells, which a mean does not tell of.
+inline double linear_tolerance(double asked, const ResidualNorms& norms, double tolerance) {
+  constexpr double share = 0.3, most = 30;
+  if (norms.empty() || !(norms.back() > tolerance)) return asked;
+  return std::clamp(share * tolerance / norms.back(), asked, most * asked);
 }
 
 }  // namespace scree

@@ -104,6 +104,7 @@ class StageSolver {
   Stage stage_;                             ///< as TS has asked for it last
   SolveCount count_;
   VolumeImbalance imbalance_;
+  double linear_tolerance_ = 0;  ///< of the Krylov method far from the solution
   bool found_slope_ = false;     ///< the last stage was one of TSARKIMEX's first slope
   bool keeps_jacobian_ = false;  ///< in this iteration
   bool renews_ = false;          ///< the preconditioner, in the next iteration

@@ -10,8 +10,8 @@ namespace scree {
 struct StepControl {
   TimeScheme scheme = TimeScheme::beuler;
   StepBounds step;
-  double accuracy = 0.1;                     ///< relative error in time that is asked for
-  TangentKind tangent = TangentKind::exact;  ///< of Newton's method
+  double accuracy = 0.1;                               ///< relative error in time that is asked for
+  TangentKind tangent = TangentKind::stress_velocity;  ///< of Newton's method
   bool extrapolate = true;  ///< first guess of Newton's method on the line of the last states if that is better
 
   /// What the local error of a step may be in the norm of norm_of_error.
