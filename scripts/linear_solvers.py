@@ -8,7 +8,8 @@ the CSV file and a table, Markdown, beside it. What the file holds already is no
 overlap of one node between ranks; `natural` is `ilu` with the nodes in the order of the rows, not by columns; `filled` is
 `fieldsplit` with ILU(1), which a run takes where ILU(0) takes many iterations; in space `ilu1` is `ilu` with ILU(1), and
 `condensed_gamg` has aggregation multigrid for the core. A second table compares factors of the core of `condensed`:
-`mumps_amf`, `umfpack` (with AMD), `umfpack_metis` and `petsc_metis` against its own, MUMPS with PORD."""
+`mumps_amf`, `umfpack` (with AMD), `umfpack_metis` and `petsc_metis` against its own, MUMPS with PORD. A third has as many
+cells a rank on each line."""
 import argparse
 import csv
 import subprocess
@@ -58,6 +59,7 @@ STATES = {
     "bin_start": State("cases/bin_discharge/case.yaml", 0.02),
     "bin": State("cases/bin_discharge/case.yaml", 0.4),
     "bin_twice": State("cases/bin_discharge/case.yaml", 0.03, FINER, "bin"),
+    "bin_four": State("cases/bin_discharge/case.yaml", 0.003, {"grid_refine": 4, "initial_before_order": 9}, "bin_twice"),
     "bin_paper_grid": State("cases/bin_discharge/paper.yaml", 0.03, {"initial_before_order": 9}, "bin"),
     "bin_rigid": State("cases/bin_discharge/best.yaml", 0.3),
     "fine_bin_air": State("cases/bin_discharge_fine/case.yaml", 0.3),
@@ -67,6 +69,9 @@ STATES = {
 }
 IN_SPACE = ("bin_3d", "bin_3d_twice")
 RANK_STATES = ("bin_twice", "bin_paper_grid", "bin_3d_twice")
+#: As many cells a rank: state and ranks.
+WEAK = (("bin", 1), ("bin_twice", 4), ("bin_four", 16), ("bin_3d", 1), ("bin_3d_twice", 8))
+WEAK_PRESETS = ("ilu", "multigrid", "condensed")
 GAS_STATES = ("fine_bin_air", "bubble")
 KEY = ("state", "dt", "ranks", "preset")
 
@@ -89,10 +94,16 @@ def solvers(state, ranks):
 
 def systems():
     """Keys of all systems: state x step x solver on one rank, some states on several, factors of the core in the plane."""
-    keys = [(state, dt, 1, solver) for state in STATES for dt in STEPS for solver in solvers(state, 1)]
-    keys += [(state, 1e-2, 1, core) for state in STATES for core in CORES if state not in IN_SPACE]
-    return keys + [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS
-                   for solver in solvers(state, ranks)]
+    on_one = [state for state in STATES if state != "bin_four"]
+    keys = [(state, dt, 1, solver) for state in on_one for dt in STEPS for solver in solvers(state, 1)]
+    keys += [(state, 1e-2, 1, core) for state in on_one for core in CORES if state not in IN_SPACE]
+    keys += [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS for solver in solvers(state, ranks)]
+    return list(dict.fromkeys(keys + weak_systems()))
+
+
+def weak_systems():
+    """Steps that the finest of the grids takes, where the time between cells is the same share of them on all."""
+    return [(state, 1e-2, ranks, preset) for state, ranks in WEAK for preset in WEAK_PRESETS]
 
 
 def key_of(row):
@@ -166,6 +177,27 @@ def table(rows, columns=(*PRESETS, *VARIANTS)):
     return "\n".join(lines) + "\n"
 
 
+def weak_table(rows):
+    """Markdown: a line a state and number of ranks. Messages and bytes are those of a rank and an iteration."""
+    found = {key_of(row): row for row in rows}
+    lines = ["As many cells a rank: iterations to the preset's tolerance, in brackets to 1e-5, messages and kilobytes of a rank and",
+             "an iteration. Then the memory of a rank [MB]. A step of 10 ms on all grids.", "",
+             "| state | cells | ranks | " + " | ".join(WEAK_PRESETS) + " |", "|---" * (3 + len(WEAK_PRESETS)) + "|"]
+    for state, ranks in WEAK:
+        of_line = [found.get((state, 1e-2, ranks, preset)) for preset in WEAK_PRESETS]
+        cells = next((row["cells"] for row in of_line if row and row.get("cells")), "")
+        lines.append("| " + " | ".join([state, cells, str(ranks), *[weak_entry(row, ranks) for row in of_line]]) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def weak_entry(row, ranks):
+    """iterations (to 1e-5), messages and kB / memory."""
+    if not row or not row.get("grid"):
+        return row["reason"] if row else ""
+    return (f"{entry(row).split(' /')[0]}, {float(row['messages']):.0f} and {float(row['bytes']) / 1e3:.0f}"
+            f" / {float(row['peak_MB']) / ranks:.0f}")
+
+
 def main():
     given = arguments()
     rows = rows_of(given.csv)
@@ -182,7 +214,8 @@ def main():
             writer.writerows(rows)
     plane = [row for row in rows if key_of(row)[1:3] == (1e-2, 1) and row["state"] not in IN_SPACE]
     cores = table(plane, ("condensed", *CORES))
-    given.csv.with_suffix(".md").write_text(f"{table(rows)}\nFactors of the core of `condensed`. {cores}")
+    given.csv.with_suffix(".md").write_text(f"{table([row for row in rows if row['state'] != 'bin_four'])}\n"
+                                            f"Factors of the core of `condensed`. {cores}\n{weak_table(rows)}")
 
 
 if __name__ == "__main__":
