@@ -12,6 +12,7 @@ overlap of one node between ranks; `natural` is `ilu` with the nodes in the orde
 cells a rank on each line."""
 import argparse
 import csv
+import itertools
 import subprocess
 from pathlib import Path
 from typing import NamedTuple
@@ -93,17 +94,21 @@ def solvers(state, ranks):
 
 
 def systems():
-    """Keys of all systems: state x step x solver on one rank, some states on several, factors of the core in the plane."""
+    """Keys of all systems."""
+    return list(dict.fromkeys(main_systems() + weak_systems()))
+
+
+def main_systems():
+    """State x step x solver on one rank, some states on several, factors of the core in the plane."""
     on_one = [state for state in STATES if state != "bin_four"]
     keys = [(state, dt, 1, solver) for state in on_one for dt in STEPS for solver in solvers(state, 1)]
     keys += [(state, 1e-2, 1, core) for state in on_one for core in CORES if state not in IN_SPACE]
-    keys += [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS for solver in solvers(state, ranks)]
-    return list(dict.fromkeys(keys + weak_systems()))
+    return keys + [(state, 1e-2, ranks, solver) for state in RANK_STATES for ranks in RANKS
+                   for solver in solvers(state, ranks)]
 
 
 def weak_systems():
-    """Steps that the finest of the grids takes, where the time between cells is the same share of them on all."""
-    return [(state, 1e-2, ranks, preset) for state, ranks in WEAK for preset in WEAK_PRESETS]
+    return [(state, dt, ranks, preset) for state, ranks in WEAK for dt in STEPS for preset in WEAK_PRESETS]
 
 
 def key_of(row):
@@ -181,12 +186,13 @@ def weak_table(rows):
     """Markdown: a line a state and number of ranks. Messages and bytes are those of a rank and an iteration."""
     found = {key_of(row): row for row in rows}
     lines = ["As many cells a rank: iterations to the preset's tolerance, in brackets to 1e-5, messages and kilobytes of a rank and",
-             "an iteration. Then the memory of a rank [MB]. A step of 10 ms on all grids.", "",
-             "| state | cells | ranks | " + " | ".join(WEAK_PRESETS) + " |", "|---" * (3 + len(WEAK_PRESETS)) + "|"]
-    for state, ranks in WEAK:
-        of_line = [found.get((state, 1e-2, ranks, preset)) for preset in WEAK_PRESETS]
+             "an iteration. Then the memory of a rank [MB].", "",
+             "| state | dt | cells | ranks | " + " | ".join(WEAK_PRESETS) + " |", "|---" * (4 + len(WEAK_PRESETS)) + "|"]
+    for dt, (state, ranks) in itertools.product(STEPS, WEAK):
+        of_line = [found.get((state, dt, ranks, preset)) for preset in WEAK_PRESETS]
         cells = next((row["cells"] for row in of_line if row and row.get("cells")), "")
-        lines.append("| " + " | ".join([state, cells, str(ranks), *[weak_entry(row, ranks) for row in of_line]]) + " |")
+        lines.append("| " + " | ".join([state, f"{dt:g}", cells, str(ranks), *[weak_entry(row, ranks) for row in of_line]])
+                     + " |")
     return "\n".join(lines) + "\n"
 
 
@@ -212,9 +218,10 @@ def main():
             writer = csv.DictWriter(file, columns(), extrasaction="ignore", lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
+    in_first = set(main_systems())
     plane = [row for row in rows if key_of(row)[1:3] == (1e-2, 1) and row["state"] not in IN_SPACE]
     cores = table(plane, ("condensed", *CORES))
-    given.csv.with_suffix(".md").write_text(f"{table([row for row in rows if row['state'] != 'bin_four'])}\n"
+    given.csv.with_suffix(".md").write_text(f"{table([row for row in rows if key_of(row) in in_first])}\n"
                                             f"Factors of the core of `condensed`. {cores}\n{weak_table(rows)}")
 
 
