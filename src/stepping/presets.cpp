@@ -139,9 +139,9 @@ PetscOptionList factor(int ranks) {
 
 /// One cycle over coarser grids, smoothed by two steps of GMRES with an incomplete factor on each rank: ILU(0) in
 /// space, ILU(1) in the plane, where cells are flatter. Fixed sweeps take three to six times the iterations.
-/// In the plane reverse Cuthill-McKee serves all grids and numbers of ranks: by columns, uniform cells shared by four
-/// ranks take three times the iterations, and graded cells in the order of rows find no end.
-PetscOptionList geometric_multigrid(const std::string& face_axes, int dim, int ranks) {
+/// In the plane nodes go by columns along gravity, as in ILU of all unknowns: by rows graded cells find no end, and by
+/// reverse Cuthill-McKee those of a quarter take four times the iterations.
+PetscOptionList geometric_multigrid(const std::string& face_axes, int dim, int ranks, const PetscOptionList& ordering) {
   PetscOptionList list{{"pc_type", "staggered"},
                        {"pc_staggered_axes", face_axes},
                        {"staggered_mg_levels_ksp_type", "gmres"},
@@ -149,8 +149,9 @@ PetscOptionList geometric_multigrid(const std::string& face_axes, int dim, int r
                        {"staggered_mg_levels_pc_type", "bjacobi"},
                        {"staggered_mg_levels_sub_pc_type", "ilu"},
                        {"staggered_mg_levels_sub_pc_factor_levels", dim > 2 ? "0" : "1"},
-                       {"staggered_mg_levels_sub_pc_factor_mat_ordering_type", dim > 2 ? "natural" : "rcm"},
                        {"staggered_mg_levels_sub_pc_factor_shift_type", "nonzero"}};
+  if (dim < 3)
+    for (const auto& option : with_prefix("staggered_mg_levels_sub_", ordering)) list.push_back(option);
   for (const auto& option : with_prefix("staggered_mg_coarse_", factor(ranks))) list.push_back(option);
   return list;
 }
@@ -173,7 +174,7 @@ PetscOptionList condensed(const std::vector<Field>& node, int dim, const PresetS
     else
       append(face_axes, field.face_axis);
   const bool factored = dim < 3 && scene.cells * scene.ranks < factored_cells;
-  PetscOptionList core = factored ? factor(scene.ranks) : geometric_multigrid(face_axes, dim, scene.ranks);
+  PetscOptionList core = factored ? factor(scene.ranks) : geometric_multigrid(face_axes, dim, scene.ranks, ordering);
   if (eliminated.empty()) return core;
   PetscOptionList list{{"pc_type", "condensed"}, {"pc_condensed_eliminated", eliminated}};
   for (const auto& option : with_prefix("condensed_core_", core)) list.push_back(option);

@@ -118,7 +118,7 @@ class AssembledModel final : public Model {
   }
 
   [[gnu::cold]] void relax_chi([[maybe_unused]] const double* state, [[maybe_unused]] double share,
-                 [[maybe_unused]] double* owned) const override {
+                               [[maybe_unused]] double* owned) const override {
     if constexpr (L::has_chi) {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
         if (!setup_.lattice.inside(I)) return;
@@ -133,7 +133,8 @@ class AssembledModel final : public Model {
   }
 
   [[gnu::cold]] void raise_temperature([[maybe_unused]] const double* state, [[maybe_unused]] double dt,
-                         [[maybe_unused]] double least_nu, [[maybe_unused]] double* owned) const override {
+                                       [[maybe_unused]] double least_nu,
+                                       [[maybe_unused]] double* owned) const override {
     if constexpr (L::has_T) {
       for_each_node(setup_.lattice.owned_first, setup_.lattice.owned_count, [&](const Index& I) {
         if (!is_balance(L::T, I)) return;
@@ -180,7 +181,7 @@ class AssembledModel final : public Model {
   /// What the balance of v has at the end of the half of a cell that lies before the wall: the stress in the middle of
   /// the cell, what the particles bring along, the weight of that half, and what walls beside it take.
   [[gnu::cold]] std::array<double, max_dim> wall_traction(double time, const double* state, int axis, const Index& I,
-                                            End cells) const override {
+                                                          End cells) const override {
     const Scene scene = assembly_.scene.at(time);
     const bool above = cells == End::upper;
     const Index cell = above ? I : I - unit(axis);

@@ -128,6 +128,11 @@ TEST_F(Presets, IncompleteFactorsTakeColumnsAlongGravity) {
   EXPECT_EQ(option(preset_options(SolverPreset::ilu, without_gas, {1, 0, {-9, 1, 0}}), name), "columns_x");
   EXPECT_EQ(option(preset_options(SolverPreset::ilu, in_space, {1, 0, {-9, 1, 0}}), name), "columns_x");
   EXPECT_EQ(option(preset_options(SolverPreset::ilu, in_space), name), "columns_z");
+  PresetScene many{1, 0, {-9, 1, 0}};
+  many.cells = 1e5;
+  EXPECT_EQ(option(preset_options(SolverPreset::condensed, without_gas, many),
+                   "condensed_core_staggered_mg_levels_sub_pc_factor_mat_ordering_type"),
+            "columns_x");
 }
 
 TEST_F(Presets, CondensedHasMultigridWhereAFactorIsDear) {
