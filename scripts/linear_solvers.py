@@ -108,6 +108,7 @@ def main_systems():
 
 
 def weak_systems():
+    """Grids with as many cells a rank x step x preset."""
     return [(state, dt, ranks, preset) for state, ranks in WEAK for dt in STEPS for preset in WEAK_PRESETS]
 
 
@@ -185,8 +186,8 @@ def table(rows, columns=(*PRESETS, *VARIANTS)):
 def weak_table(rows):
     """Markdown: a line a state and number of ranks. Messages and bytes are those of a rank and an iteration."""
     found = {key_of(row): row for row in rows}
-    lines = ["As many cells a rank: iterations to the preset's tolerance, in brackets to 1e-5, messages and kilobytes of a rank and",
-             "an iteration. Then the memory of a rank [MB].", "",
+    lines = ["As many cells a rank in the plane, and in space. Iterations to the preset's tolerance, in brackets to 1e-5. Then messages",
+             "and kilobytes of a rank and an iteration, and the memory of a rank [MB].", "",
              "| state | dt | cells | ranks | " + " | ".join(WEAK_PRESETS) + " |", "|---" * (4 + len(WEAK_PRESETS)) + "|"]
     for dt, (state, ranks) in itertools.product(STEPS, WEAK):
         of_line = [found.get((state, dt, ranks, preset)) for preset in WEAK_PRESETS]
