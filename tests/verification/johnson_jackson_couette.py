@@ -84,14 +84,11 @@ for mean in (0.3, 0.55):
             skew = max(skew, np.abs(found[unknown] - sign * found[unknown][::-1]).max() / np.abs(exact).max())
         checks.below(f"{name}: v, T and nu mirrored against themselves, relative", skew, 1e-7)
         checks.close(f"{name}: mean nu", found["nu"].mean(), mean, absolute=1e-12)
-    # The wall laws take v, T and nu half a cell from the wall: errors of first order, of v as large as v changes there.
-    # T goes with the square of the shear rate; nu, whose mean is given, varies as much as nu does across.
-    half_a_cell = HALF / CELLS[-1] * shear_rate(tau, nu([HALF]), [T(HALF)])[0] / U
-    for unknown, factor in (("v", 2), ("T", 4), ("nu", 2 * np.ptp(nu([0, HALF])) / mean)):
+    # By half the cells each error falls to less than 0.27 of itself; nu, whose mean is given, is the most exact.
+    for unknown, most in (("v", 3e-3), ("T", 5e-3), ("nu", 2e-4)):
         orders = ", ".join(f"{np.log2(a / b):.3f}" for a, b in zip(errors[unknown], errors[unknown][1:]))
         checks.above(f"mean nu {mean}: order of {unknown} (L2) on 16, 32, 64 cells, errors "
                      + ", ".join(f"{e:.3e}" for e in errors[unknown]) + f", orders {orders}",
-                     np.log2(errors[unknown][-2] / errors[unknown][-1]), 0.9)
-        checks.below(f"mean nu {mean}: relative L2 error of {unknown} on 64 cells, bound by the half cell at the wall",
-                     errors[unknown][-1], factor * half_a_cell)
+                     np.log2(errors[unknown][-2] / errors[unknown][-1]), 1.9)
+        checks.below(f"mean nu {mean}: relative L2 error of {unknown} on 64 cells", errors[unknown][-1], most)
 checks.verdict()

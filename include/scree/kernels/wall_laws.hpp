@@ -107,12 +107,30 @@ struct WallLaws {
   static Number extrapolated(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                              const Number& in_cell) {
     const FrictionParameters& friction = scene.solids.friction;
-    const Index inward = end == End::lower ? unit(axis) : -1 * unit(axis);
-    const Index between = end == End::lower ? I + unit(axis) : I;
-    if (!friction.model->has_friction || scene.barrier(axis, between)) return in_cell;
-    const double to_wall = scene.distance_to_face(axis, I) / scene.centre_distance(axis, between);
+    if (!friction.model->has_friction || is_alone(scene, I, axis, end)) return in_cell;
     return pressure_at_wall(in_cell, Number(critical_pressure(q(L::nu), friction)),
-                            Number(critical_pressure(q(L::nu, inward), friction)), to_wall);
+                            Number(critical_pressure(q(L::nu, inward(axis, end)), friction)),
+                            to_wall(scene, I, axis, end));
+  }
+
+  /// nu on the wall, or that of the cell if there is no next one.
+  template <class Number>
+  static Number nu_at_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end) {
+    if (is_alone(scene, I, axis, end)) return q(L::nu);
+    return solids_fraction_at_wall(q(L::nu), q(L::nu, inward(axis, end)), scene.solids.kinetic.nu_max,
+                                   to_wall(scene, I, axis, end));
+  }
+
+  /// From the cell to the next one away from the wall.
+  static Index inward(int axis, End end) { return end == End::lower ? unit(axis) : -1 * unit(axis); }
+  /// The face between the two.
+  static Index between(const Index& I, int axis, End end) { return end == End::lower ? I + unit(axis) : I; }
+  static bool is_alone(const Scene& scene, const Index& I, int axis, End end) {
+    return scene.barrier(axis, between(I, axis, end));
+  }
+  /// Distance to the wall over that to the next cell's centre [-].
+  static double to_wall(const Scene& scene, const Index& I, int axis, End end) {
+    return scene.distance_to_face(axis, I) / scene.centre_distance(axis, between(I, axis, end));
   }
 
   /// Slip of a tangential velocity of the cell: `side` 0 lower, 1 upper face of axis t.
@@ -142,7 +160,7 @@ struct WallLaws {
   }
 
   /// (25) and (26) with slip and T at the wall, half a cell from where they are known: wall_slip_share and
-  /// wall_sqrt_temperature lead there. nu and the normal stress are those of the cell.
+  /// wall_sqrt_temperature lead there, nu_at_wall and at_wall for nu and the normal stress.
   template <class Number, class Strain, std::size_t count>
   static void johnson_jackson(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end,
                               const Strain& strain, const std::array<Number, 5>& closures, const Condition& wall,
@@ -150,10 +168,10 @@ struct WallLaws {
     const KineticParameters& kinetic = scene.solids.kinetic;
     const auto& [mu, p_f, mu_f, T, sqrt_T] = closures;
     const Number N = at_wall(scene, I, q, axis, end, SolidsMomentum::normal_stress(p_f, mu_f, strain.S(axis)));
-    const Number k = mu / scene.distance_to_face(axis, I);
+    const Number nu = nu_at_wall(scene, I, q, axis, end), k = mu / scene.distance_to_face(axis, I);
     Number sqrt_T_wall = sqrt_T;
     if constexpr (L::has_T) {
-      const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, k, N, sqrt_T, wall);
+      const auto [at_wall, heat] = heat_from_wall(scene, I, q, axis, nu, k, N, sqrt_T, wall);
       sqrt_T_wall = at_wall;
       r[T_row] -= out_of_cell(scene, axis, I, end, heat);
     }
@@ -166,7 +184,7 @@ struct WallLaws {
               return share *
                      wall_traction_coefficient(nu_, sqrt_T_, N_, share * share * slip_squared, kinetic, wall.wall);
             },
-            q(L::nu), sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
+            nu, sqrt_T_wall, N, k, slip_speed_squared<Number>(q, wall, axis, t, side));
         add_stress(scene, I, axis, end, t, side, Number(c * wall_slip(q, wall, t, side)), r);
       }
   }
@@ -174,8 +192,8 @@ struct WallLaws {
   /// {sqrt(T) at the wall, heat flux from it (26)}, with the mean of the slip over the cell.
   template <class Number>
   static std::array<Number, 2> heat_from_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q,
-                                              int axis, const Number& k, const Number& N, const Number& sqrt_T,
-                                              const Condition& wall) {
+                                              int axis, const Number& nu, const Number& k, const Number& N,
+                                              const Number& sqrt_T, const Condition& wall) {
     Number mean_slip_squared(0.0);
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
@@ -201,7 +219,7 @@ struct WallLaws {
               wall_heat_flux(nu_, Inner(at_wall * at_wall), at_wall, at_wall_squared, kinetic, wall.wall);
           return std::array<Inner, 2>{at_wall, heat};
         },
-        q(L::nu), sqrt_T, kappa, k, N, mean_slip_squared);
+        nu, sqrt_T, kappa, k, N, mean_slip_squared);
   }
 
   /// The mean fluidity between a wall without slip and the centre of the cell, or a constant.

@@ -1,4 +1,4 @@
-/// What particles press on a wall with, from what is known in the cells before it.
+/// What particles press on a wall with, and their fraction there, from what is known in the cells before it.
 #pragma once
 
 #include "scree/math/rounded.hpp"
@@ -27,6 +27,20 @@ Number pressure_on_floor(const Number& p, const Number& sigma, const Number& wei
   const Number carried = rounded_minimum(Number((p + sigma) / weight), 1.0, soft);
   const Number missing = 2 * carried - p / weight;
   return p + weight * (p < weight ? missing : rounded_maximum(missing, 0, soft));
+}
+
+/// The solids fraction on a wall, from that of the cell beside it and of the next one; `to_wall` as above. The space
+/// between particles over their own goes on by the same factor as between the cells, so that it neither ends nor
+/// fills: second order in the cell. Where nu changes by more than half from cell to cell, as at surfaces, nothing is
+/// known of the wall, and it is that of the cell.
+template <class Number>
+Number solids_fraction_at_wall(const Number& nu, const Number& nu_next, double nu_max, double to_wall) {
+  constexpr double nothing = 1e-9;  // -
+  if (!(nu > nothing && nu_next > nothing && nu < nu_max && nu_next < nu_max)) return nu;
+  const Number change = (nu - nu_next) / (nu + nu_next);
+  const Number smooth = integer_power(Number(1.0 - change * change), 3);
+  const Number space = (nu_max - nu) / nu, space_next = (nu_max - nu_next) / nu_next;
+  return nu_max / (1.0 + space * exp(to_wall * smooth * log(Number(space / space_next))));
 }
 
 }  // namespace scree
