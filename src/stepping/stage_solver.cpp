@@ -313,6 +313,7 @@ PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
   PetscCall(measure_remainder(problem_, stage_.shift, state, residual, &left));
   *small = left.dilute <= NewtonTolerance::dilute(control_.local_tolerance()) &&
            left.nu_change <= tolerated_residual() &&
+           left.velocity <= NewtonTolerance::velocity(control_.local_tolerance()) &&
            left.least_nu >= -share_of_floor * problem_.setup().model.solids_fraction_floor;
   PetscFunctionReturn(0);
 }

@@ -21,7 +21,7 @@ LAYOUTS = {
     "plane, none, fluidity": ("small_bin.yaml", {"friction_coefficient": "fluidity"}, 0.006, 8),
     "plane, darcy": (BUBBLE, {**COARSE_BUBBLE, "gas": "darcy"}, 0.006, 8),
     "plane, incompressible": (BUBBLE, COARSE_BUBBLE, 0.006, 8),
-    "space, none": ("../benchmark/bin_3d.yaml", {**COARSE_BOX, **SEVERAL_GRIDS}, 0.006, 8),
+    "space, none": ("../benchmark/bin_3d.yaml", {**COARSE_BOX, **SEVERAL_GRIDS}, 0.003, 8),
     "space, incompressible": (BED, {**COARSE_BED, **SEVERAL_GRIDS}, 0.003, 8),
 }
 TIGHT = {"time_step_adaptive": "no", "time_step_initial": 2e-5, "end_time": 1e-4, "snes_rtol": 1e-9, "snes_atol": 1e-8,

@@ -26,6 +26,8 @@ struct NewtonTolerance {
   }
   /// How far off a single unknown may be where particles are few [scales].
   static double dilute(double local_tolerance) { return std::clamp(3 * local_tolerance, 1e3 * least, most_dilute); }
+  /// How far off velocities may be on the whole, relative to what they are.
+  static double velocity(double local_tolerance) { return std::max(0.3 * local_tolerance, 1e3 * least); }
   /// An attempt; the next one of the same step is to do better. A tight one that fails says nothing of loose ones.
   void failed() {
     if (calm >= wait) wait = calm < 2 * wait ? std::min(2 * wait, most_wait) : least_wait;

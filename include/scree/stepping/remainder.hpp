@@ -10,6 +10,7 @@ struct Remainder {
   double nu_change;  ///< root mean square of what renew_solids_fraction would do to nu
   double least_nu;   ///< nu of the emptiest cell afterwards
   double dilute;     ///< the largest change in storage that would balance a row of v, T or chi where nu < 0.1
+  double velocity;   ///< root mean square of the flow through a cell that would balance a row of mass, over that of v
 };
 
 /// That of `residual`, which belongs to `state`, in a stage of `shift` [1/s]. Collective.

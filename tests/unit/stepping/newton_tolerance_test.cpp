@@ -41,6 +41,11 @@ TEST(NewtonTolerance, BoundsSingleUnknownsWhereParticlesAreFew) {
   EXPECT_DOUBLE_EQ(NewtonTolerance::dilute(0.1), 3e-2);
 }
 
+TEST(NewtonTolerance, LeavesLessInVelocitiesThanAStepMay) {
+  EXPECT_DOUBLE_EQ(NewtonTolerance::velocity(0.02), 6e-3);
+  EXPECT_GT(NewtonTolerance::velocity(1e-30), NewtonTolerance::least);
+}
+
 TEST(NewtonTolerance, WaitsTwiceAsLongWhereLooseStepsFailSoon) {
   NewtonTolerance tolerance;
   good_steps(tolerance, 10);
