@@ -32,6 +32,16 @@ double shortest_side(const Lattice& grid, const Index& I) {
   return h;
 }
 
+/// Over the cells of all ranks with a balance of particles. In units of the scales.
+struct RowSums {
+  double nu_change = 0, flow = 0,
+         cells = 0;             ///< squares of what nu lacks, of the flows that balance rows of mass; cells
+  double speed = 0, faces = 0;  ///< squares of components of v where there are particles; these
+  static constexpr int members = 5;
+};
+
+double root_mean(double sum, double count) { return count > 0 ? std::sqrt(sum / count) : 0; }
+
 }  // namespace
 
 PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, Vec state, Vec residual,
@@ -49,26 +59,24 @@ PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, V
   const double* f;
   PetscCall(u.open(problem.dm(), state));
   PetscCall(VecGetArrayRead(residual, &f));
-  double sums[5]{};                                // of squares of corrections to nu, of cells, of squares of ...
-  enum { nu_change, cells, flow, speed, speeds };  // ... flows that are missing, of speeds, of faces
-  double most[2]{-PETSC_INFINITY, 0};              // of -nu, of changes of single unknowns
+  RowSums sums;
+  double most[2]{-PETSC_INFINITY, 0};  // of -nu, of changes of single unknowns
   const auto nu_at = [&](const Index& I) { return u.data()[grid.ghosted(I) * unknowns + Model::solids_fraction]; };
   for_each_node(grid.owned_first, grid.owned_count, [&](const Index& I) {
     if (!model.is_balance(Model::solids_fraction, I)) return;
     const double* rows = f + grid.owned(I) * unknowns;
     const double per_change = model.continuity_scale() * shift, nu = nu_at(I);
     const double correction = rows[Model::solids_fraction] / per_change;
-    sums[nu_change] += correction * correction;
-    sums[cells] += 1;
-    const double h = shortest_side(grid, I) / model.continuity_scale();
-    for (const int row : of_mass) sums[flow] += h * h * rows[row] * rows[row];
+    sums.nu_change += correction * correction;
+    sums.cells += 1;
+    const double flow_per_row = shortest_side(grid, I) / (model.continuity_scale() * problem.setup().scales.velocity);
+    for (const int row : of_mass) sums.flow += std::pow(flow_per_row * rows[row], 2);
     most[0] = std::max(most[0], correction - nu);
     for (const Field& field : stored_with_nu) {
       if (!model.is_balance(field.component, I)) continue;
       if (field.face_axis >= 0 && nu > few) {
-        const double v = u.data()[grid.ghosted(I) * unknowns + field.component];
-        sums[speed] += v * v;
-        sums[speeds] += 1;
+        sums.speed += std::pow(u.data()[grid.ghosted(I) * unknowns + field.component], 2);
+        sums.faces += 1;
       }
       const double stored = field.face_axis < 0 ? nu : 0.5 * (nu + nu_at(I - unit(field.face_axis)));
       if (stored < dilute)
@@ -77,13 +85,11 @@ PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, V
   });
   PetscCall(VecRestoreArrayRead(residual, &f));
   PetscCall(u.close());
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sums, RowSums::members, MPI_DOUBLE, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, comm));
   // Particles at rest have no balance.
-  const auto mean = [&](int sum, int count) { return sums[count] > 0 ? sums[sum] / sums[count] : 0; };
-  const double velocity = problem.setup().scales.velocity;
-  *remainder = {std::sqrt(mean(nu_change, cells)), -most[0], most[1],
-                std::sqrt(mean(flow, cells)) / velocity / std::max(small, std::sqrt(mean(speed, speeds)))};
+  *remainder = {root_mean(sums.nu_change, sums.cells), -most[0], most[1],
+                root_mean(sums.flow, sums.cells) / std::max(small, root_mean(sums.speed, sums.faces))};
   PetscFunctionReturn(0);
 }
 
