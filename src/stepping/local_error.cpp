@@ -8,12 +8,8 @@ namespace scree {
 
 namespace {
 
-/// Solids fraction below which v, T and chi count less.
-constexpr double few = 1e-2;
 /// Share of L4 in the norm.
 constexpr double local_share = 0.5;
-/// Of the scales of nu, chi and velocities: errors of what is smaller are absolute.
-constexpr double small = 0.1;
 
 /// Of one unknown, all components of a vector together. Integrals over the box.
 struct Sums {
@@ -59,7 +55,7 @@ double volume_about(const Lattice& grid, const Field& field, const Index& I) {
 /// Adds node I to the sums of an unknown; x, e: the node in the state and in the error.
 void add_node(const Lattice& grid, const Judged& judged, const Index& I, const double* x, const double* e, Sums* sums) {
   const bool of_gas = judged.unknown->error == ErrorNorm::gas_alone;
-  const double filled = of_gas ? 1 : std::clamp(x[Model::solids_fraction] / few, 0.0, 1.0);
+  const double filled = of_gas ? 1 : std::clamp(x[Model::solids_fraction] / few_particles, 0.0, 1.0);
   const double counts = judged.unknown->error == ErrorNorm::everywhere ? 1 : filled;
   for (const Field& field : judged.components) {
     const double volume = volume_about(grid, field, I), x_c = x[field.component], e_c = e[field.component];
@@ -73,8 +69,8 @@ void add_node(const Lattice& grid, const Judged& judged, const Index& I, const d
 /// Below which root mean square an unknown counts as that [scale]: T goes with the square of velocities.
 double floor_of(const Unknown& unknown, const Scales& scales) {
   Scales slower = scales;
-  slower.velocity *= small;
-  return std::min(small, unknown.scale(slower) / unknown.scale(scales));
+  slower.velocity *= small_share;
+  return std::min(small_share, unknown.scale(slower) / unknown.scale(scales));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scree/grid/ghosted.hpp"
+#include "scree/stepping/local_error.hpp"
 
 namespace scree {
 
@@ -32,11 +33,13 @@ double shortest_side(const Lattice& grid, const Index& I) {
   return h;
 }
 
-/// Over the cells of all ranks with a balance of particles. In units of the scales.
+/// Over the cells with a balance of particles. Squares are of numbers in units of the scales.
 struct RowSums {
-  double nu_change = 0, flow = 0,
-         cells = 0;             ///< squares of what nu lacks, of the flows that balance rows of mass; cells
-  double speed = 0, faces = 0;  ///< squares of components of v where there are particles; these
+  double nu_change = 0;  ///< squares of what nu lacks
+  double flow = 0;       ///< squares of the flows that balance rows of mass
+  double cells = 0;      ///< how many
+  double speed = 0;      ///< squares of components of v where there are particles
+  double faces = 0;      ///< how many
   static constexpr int members = 5;
 };
 
@@ -48,7 +51,6 @@ PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, V
                                  Remainder* remainder) {
   PetscFunctionBeginUser;
   constexpr double dilute = 0.1, least_storage = 1e-2;  // emptier places count as if they stored this
-  constexpr double few = 1e-2, small = 0.1;             // as in the norm of local errors
   const Lattice& grid = problem.lattice();
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(problem.dm()));
   const Model& model = problem.model();
@@ -74,7 +76,7 @@ PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, V
     most[0] = std::max(most[0], correction - nu);
     for (const Field& field : stored_with_nu) {
       if (!model.is_balance(field.component, I)) continue;
-      if (field.face_axis >= 0 && nu > few) {
+      if (field.face_axis >= 0 && nu > few_particles) {
         sums.speed += std::pow(u.data()[grid.ghosted(I) * unknowns + field.component], 2);
         sums.faces += 1;
       }
@@ -89,7 +91,7 @@ PetscErrorCode measure_remainder(const DiscreteProblem& problem, double shift, V
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, comm));
   // Particles at rest have no balance.
   *remainder = {root_mean(sums.nu_change, sums.cells), -most[0], most[1],
-                root_mean(sums.flow, sums.cells) / std::max(small, root_mean(sums.speed, sums.faces))};
+                root_mean(sums.flow, sums.cells) / std::max(small_share, root_mean(sums.speed, sums.faces))};
   PetscFunctionReturn(0);
 }
 

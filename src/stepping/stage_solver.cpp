@@ -301,7 +301,8 @@ ResidualNorms StageSolver::norms() const {
 /// Whether what is left is small beyond the mean: where particles are few, single cells far off make energy, and keep a
 /// T from which there is no way back. And whether renewing nu would change it by no more than Newton's tolerance, which
 /// in long steps takes more than a small residual, and leave it where it can be: nu below minus the floor of voids is a
-/// negative inertia.
+/// negative inertia. And whether rows of mass leave less in velocities than a step may: on cells much wider than the
+/// particles a small residual is a large flow, which grows from step to step.
 PetscErrorCode StageSolver::remainder_is_small(bool* small) const {
   PetscFunctionBeginUser;
   Vec state, residual;

@@ -5,6 +5,11 @@
 
 namespace scree {
 
+/// Solids fraction below which v, T and chi count less.
+constexpr double few_particles = 1e-2;
+/// Of the scales of nu, chi and velocities: errors of what is smaller are absolute.
+constexpr double small_share = 0.1;
+
 /// Of `error` in a step that led to `state`, relative to what is there: root mean square over the unknowns that a step
 /// is judged by of
 ///
