@@ -44,7 +44,9 @@ TEST(SolidsFractionAtWall, IsOfSecondOrder) {
   double before = 0;
   for (const double h : {0.004, 0.002, 0.001}) {  // centres h/2 and 2 h from the wall: cells of h and 2 h
     const double error = std::abs(solids_fraction_at_wall(nu(0.5 * h), nu(2 * h), 0.65, 1.0 / 3) - nu(0));
-    if (before > 0) EXPECT_NEAR(std::log2(before / error), 2, 0.15) << h;
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / error), 2, 0.15) << h;
+    }
     before = error;
   }
 }
