@@ -50,16 +50,15 @@ def go_on(layout, name, case, free, whole, ranks):
 program, checks = Program(), Checks("the preset condensed, on one rank and on two")
 for layout, (case, options, end, most) in LAYOUTS.items():
     name = layout.replace(", ", "_")
-    exact = program.run(case, f"{name}_free_direct", {**options, **DIRECT, "end_time": end})
     direct = program.run(case, f"{name}_direct", {**options, **TIGHT, **DIRECT})
     for ranks in (1, 2):
         free = {**options, **CONDENSED, "end_time": end, "checkpoint_interval": end / 2}
         whole = program.run(case, f"{name}_{ranks}", free, ranks=ranks)
         mean = whole.summary["krylov_iterations"] / whole.summary["newton_iterations"]
         checks.below(f"{layout}, ranks {ranks}: Krylov iterations a linear system", mean, most)
-        checks.below(f"{layout}, ranks {ranks}: steps cut by the solver, beyond those that are cut with exact solutions too",
-                     whole.summary["rejected_solver"] - exact.summary["rejected_solver"], 1)
-        go_on(layout, f"{name}_{ranks}", case, free, whole, ranks)
+        checks.below(f"{layout}, ranks {ranks}: steps cut by the solver", whole.summary["rejected_solver"], 1)
+        if ranks == 2:
+            go_on(layout, f"{name}_{ranks}", case, free, whole, ranks)
         tight = program.run(case, f"{name}_tight_{ranks}", {**options, **TIGHT, **CONDENSED}, ranks=ranks)
         checks.below(f"{layout}, ranks {ranks}: against direct", difference(direct.fields, tight.fields), 1e-6)
 

@@ -3,9 +3,12 @@ the velocity differences that Newton's method leaves them. Too much of it made T
 import numpy as np
 from scree_program import Checks, Program
 
-END = 0.07  # s; Newton's method has most to do from 0.06 s on
+END = 0.07  # s
+# Filled 30 cm high, not 100 cm: what happens at the top is the same, for a third of the time.
+LOW = {"grid_y_edges": "0, 5 cm, 35 cm", "grid_y_cells": "25, 150", "initial_fill_box": "0, 4 cm, 5 cm, 35 cm",
+       "boundary_wall_patch": "5 cm, 35 cm"}
 program, checks = Program(), Checks("bin of the paper on its grid, first 0.07 s", "paper start")
-run = program.run("../../cases/bin_discharge/paper.yaml", "paper", {"end_time": END})
+run = program.run("../../cases/bin_discharge/paper.yaml", "paper", {**LOW, "end_time": END})
 monitor = run.monitor
 checks.above("time reached [s]", monitor["time"][-1], END * (1 - 1e-9))
 checks.below("steps lost to the solver", monitor["rejected_solver"].sum(), 3.5)
