@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from scree import output, page_tables, paper_slice, plots, program, sweeps
+from scree import output, page_tables, paper_slice, plots, program, sweeps, work_precision
 from scree.bin_discharge import Run
 from scree.page_tables import markdown
 from scree.plots import plt
@@ -231,15 +231,27 @@ def width_law(rows, model):
 SHOWN = ("rate [g/s]", "C", "rate / slot law", "nu in the orifice", "corner / plug", "shoulder height [cm]", "newton", "cpu [s]")
 
 
+def rate_without_cells(rates):
+    """Richardson's rate at cells of no size, from those on the three grids, texts; empty where their differences are not
+    regular."""
+    if "" in rates:
+        return ""
+    values, sizes = [np.array(float(rate)) for rate in reversed(rates)], (1, 2, 4)
+    order, regular = work_precision.observed_order(sizes, values)
+    return f"{work_precision.extrapolated(sizes, values, order):.1f}" if regular else ""
+
+
 def steps_table(rows):
-    """A line a model on the grid of case.yaml, with its rates on the other grids."""
+    """A line a model on the grid of case.yaml, with its rates on the other grids and what they tend to."""
     by_grid = {grid: usual(rows, grid) for grid in GRIDS}
     lines = []
     for step in STEPS:
         if step.name in by_grid["case"]:
             rates = [found[step.name]["rate [g/s]"] if step.name in found else "" for found in by_grid.values()]
-            lines.append([step.words, *rates, *(str(by_grid["case"][step.name][name]) for name in SHOWN[1:])])
-    head = ["model", *(f"rate [g/s], {cells}" for cells in ("half the cells", "`case.yaml`", "twice the cells")), *SHOWN[1:]]
+            lines.append([step.words, *rates, rate_without_cells(rates),
+                          *(str(by_grid["case"][step.name][name]) for name in SHOWN[1:])])
+    grids = ("half the cells", "`case.yaml`", "twice the cells", "extrapolated")
+    head = ["model", *(f"rate [g/s], {cells}" for cells in grids), *SHOWN[1:]]
     return markdown(head, lines)
 
 

@@ -37,6 +37,11 @@ class Tables(unittest.TestCase):
         self.assertEqual([word.strip() for word in line.split("|")[2:5]], ["70.000000000", "71.000000000", ""])
         self.assertIn("| 1.8 |  | 99.00 |", why_c.widths_table(rows))
 
+    def test_rates_are_extrapolated_where_three_grids_have_an_order(self):
+        self.assertEqual(why_c.rate_without_cells(["104", "102", "101"]), "100.0")
+        for irregular in (["104", "102", "103"], ["104", "103", "102"], ["104", "102", ""]):
+            self.assertEqual(why_c.rate_without_cells(irregular), "")
+
     def test_a_failed_run_is_in_no_table(self):
         failed = {"model": "paper", "grid": "case", "orifice [cm]": 1.4, "status": "failed", "reason": "lost"}
         self.assertEqual(len(why_c.steps_table([failed]).splitlines()), 2)
