@@ -5,7 +5,7 @@
 
 Runs the 1 mm bin with each model of `STEPS` on three grids, with orifices of several widths, and with other diameters
 in one term at a time. What is there already is not run again. Writes into cases/why_c: rates.csv, a row a run, the
-figures, and the tables of README.md. --budget leaves out the finest grid, which takes two thirds of the time."""
+figures, and the tables of README.md. --budget leaves out the finest grid, which takes four fifths of the time."""
 import argparse
 import csv
 import math
