@@ -1,5 +1,6 @@
-"""The preset condensed in each layout, on one rank and on two: few Krylov iterations, the solution of a direct solver, and a restart that ends bit
-for bit as the uninterrupted run; and a linear system that the first preset does not solve goes to it before a step is cut."""
+"""The preset condensed in each layout, on one rank and on two: few Krylov iterations, the solution of a direct solver, and
+a restart that ends bit for bit as the uninterrupted run; and a linear system that the first preset does not solve goes
+to it before a step is cut."""
 import shutil
 
 import numpy as np
@@ -57,8 +58,7 @@ for layout, (case, options, end, most) in LAYOUTS.items():
         mean = whole.summary["krylov_iterations"] / whole.summary["newton_iterations"]
         checks.below(f"{layout}, ranks {ranks}: Krylov iterations a linear system", mean, most)
         checks.below(f"{layout}, ranks {ranks}: steps cut by the solver", whole.summary["rejected_solver"], 1)
-        if ranks == 2:
-            go_on(layout, f"{name}_{ranks}", case, free, whole, ranks)
+        go_on(layout, f"{name}_{ranks}", case, free, whole, ranks)
         tight = program.run(case, f"{name}_tight_{ranks}", {**options, **TIGHT, **CONDENSED}, ranks=ranks)
         checks.below(f"{layout}, ranks {ranks}: against direct", difference(direct.fields, tight.fields), 1e-6)
 
