@@ -18,8 +18,9 @@ bool has_launcher() {
   return false;
 }
 
-/// Processes that start alone share one directory of Open MPI, which the last to leave removes while another may be
-/// entering it: that one ends in MPI_Init. What it cannot remove is a directory that is not empty.
+/// Processes that start alone share the directories of Open MPI's job 0/1. The last to leave removes both while another
+/// may be entering them: that one ends in MPI_Init. What it cannot remove is a directory that is not empty. It may come
+/// between here too, until there is something in it.
 void keep_session_directory() {
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) != 0) return;
@@ -27,7 +28,10 @@ void keep_session_directory() {
   std::error_code ignored;
   const std::filesystem::path top =
       std::filesystem::temp_directory_path(ignored) / ("ompi." + node + "." + std::to_string(geteuid()));
-  if (!ignored) std::filesystem::create_directories(top / "jf.0" / "kept", ignored);
+  if (ignored) return;
+  const std::filesystem::path kept = top / "jf.0" / "1" / "kept";
+  for (int attempt = 0; attempt < 10 && !std::filesystem::exists(kept, ignored); ++attempt)
+    std::filesystem::create_directories(kept, ignored);
 }
 
 }  // namespace

@@ -1,7 +1,12 @@
 """What killed runs leave on a machine, outside their directories, does not hold up the next run: Open MPI's OMPIO guards
 files by semaphores that are named after the last part of the file's name alone, and a run killed while it holds one
-leaves it locked. Here they lie locked for the files of the whole run, fields and checkpoints."""
+leaves it locked. Here they lie locked for the files of the whole run, fields and checkpoints.
+
+And what a run that ends removes does not end one that begins: runs without mpirun share directories of Open MPI."""
+import os
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from robust import checkpoints, same_bits, vectors
@@ -37,4 +42,9 @@ checks.equal("checkpoint written", [p.name for p in checkpoints(again.directory)
 checks.true("and the same", same_bits(vectors(checkpoints(again.directory)[-1]), vectors(checkpoints(first.directory)[-1])))
 checks.equal("run goes on from it", checkpoints(restarted.directory)[-1].name, FILES[-1][:-5])
 checks.true("to the same end", same_bits(restarted.fields, undisturbed.fields))
+
+with tempfile.TemporaryDirectory() as place:
+    subprocess.run([program.scree, "-schema"], env={**os.environ, "TMPDIR": place}, stdout=subprocess.DEVNULL, check=True)
+    left = sorted(str(path.relative_to(place)) for path in Path(place).glob("ompi.*/**/kept"))
+    checks.equal("directories of Open MPI that stay", [path.split("/", 1)[1] for path in left], ["jf.0/1/kept"])
 checks.verdict()
