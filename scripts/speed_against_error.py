@@ -130,6 +130,7 @@ def over_bed(x, y, refine=1):
 
 GRADED_GRIDS = {"0.8 mm graded": graded(1), "0.4 mm graded": graded(2), "0.2 mm graded": graded(4),
                 "0.2 mm steep": steep(1), "0.1 mm steep": steep(2), "0.05 mm steep": steep(4)}
+FINER_GRIDS = {"0.07 mm steep": steep(3), "0.025 mm steep": steep(8), "0.1 mm graded": graded(8)}
 BIN = dict(
     usual_grid="2 mm", blocks=((0.7, 3.3), (5, 100)), read=quantities.bin_quantities,
     full_width={
@@ -141,7 +142,7 @@ BIN = dict(
 )
 SCENES = {
     "bin_discharge": Scene(
-        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS, "0.1 mm graded": graded(8)},
+        **BIN, grids={**BIN_GRIDS, **GRADED_GRIDS, **FINER_GRIDS},
         product_grids=("4 mm", "2 mm", "0.8 mm graded", "0.4 mm graded"),
         costly_grids=("1 mm", "0.2 mm graded", "0.1 mm graded"), costly_accuracies=(0.1,),
         solver_grids=("2 mm",), preset="ilu", models=(*SIMPLER_MODELS, {"gas": "darcy"}, {"gas": "incompressible"}), gas="none",

@@ -183,13 +183,16 @@ def grid_series(rows, quantity, accuracy):
 def grid_reference(rows, quantity, usual):
     """The value without error of grid, or None where there are fewer than two grids: that of the family of grids with the
     smallest cells. Another family of three grids that contradicts it, farther off than both are uncertain by, is as
-    likely: then the mean of both, uncertain by half their distance more."""
+    likely: then the mean of both, uncertain by half their distance more. Not so one whose cells are all larger: how far
+    its orders hold is not known below them."""
     rows = plain(rows, usual)
     groups = families(rows)
     found = [family_reference(group, quantity, rows) for group in groups]
     best = found[0] if found else None
     for other, group in zip(found[1:], groups[1:]):
-        if best and other and len({row.setting.grid for row in group}) > 2 and contradicts(best, other):
+        finest = min(row.cell_size for row in group)
+        reaches = finest <= max(row.cell_size for row in groups[0]) and len({row.setting.grid for row in group}) > 2
+        if best and other and reaches and contradicts(best, other):
             best = mean_of(best, other)
     return best
 

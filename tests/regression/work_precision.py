@@ -60,6 +60,8 @@ checks.close("families: that of the smallest cells", float(reference.value[0]), 
 reference = work_precision.add_errors(uniform + graded_rows(99, (0.04, 0.02), 0.3), usual)["rate"]
 checks.close("families: two grids stand back behind three", float(reference.value[0]), EXACT, relative=1e-6)
 reference = work_precision.add_errors(uniform + graded_rows(60, (0.08, 0.04, 0.02), 0.003), usual)["rate"]
+checks.close("families: one whose cells are all larger contradicts none", float(reference.value[0]), 60, relative=1e-6)
+reference = work_precision.add_errors(uniform + graded_rows(60, (0.16, 0.08, 0.04), 0.003), usual)["rate"]
 checks.close("families that contradict each other: their mean", float(reference.value[0]), 80, relative=1e-6)
 checks.close("families that contradict each other: half the distance and the doubt of the worse",
              reference.doubt * float(reference.value[0]), 20 + alone.doubt * float(alone.value[0]), relative=1e-6)
@@ -101,11 +103,12 @@ checks.close("without gas against with gas", plain.error("model", "rate"), 0.01 
 
 # Choice.
 names = ["rate", "profile"]
-ten, three, one = work_precision_tables.choices(rows, names)
+ten, three, one, least = work_precision_tables.choices(rows, names)
 checks.equal("10 %: cheapest", (ten.row.setting.grid, ten.row.setting.advection), ("2 mm", "van_albada"))
 checks.equal("3 %: cheapest", (three.row.setting.grid, three.row.setting.advection), ("1 mm", "van_albada"))
 checks.true("3 % is reached", three.reached)
 checks.true("1 % is not reached: the nearest", not one.reached and one.row is three.row)
+checks.true("neither is 0.3 %", not least.reached and least.row is three.row)
 
 # Files.
 page = work_precision_tables.choice_text("made up", rows + [simple, with_gas], references, usual)
