@@ -87,32 +87,30 @@ struct Assembly {
               Local<Kernel, Number>& q) const {
     constexpr bool has_rates = HasRates<Kernel>::value;
     const auto take = [&](std::size_t k, int unknown, double si) {
+      q.value[k] = si * state[unknown];
       if constexpr (has_rates) q.rate[k] = si * rate[unknown];
-      if constexpr (!IsDual<Number>::value) {
-        q.value[k] = si * state[unknown];
-      } else {
-        q.value[k].value = si * state[unknown];
-        q.value[k].derivative.fill(0);
-        q.value[k].derivative[k] = si;
+      if constexpr (IsDual<Number>::value) {
+        q.slope[k] = si;
         if constexpr (has_rates) q.rate_slope[k] = shift * si;
       }
     };
-    constexpr std::size_t size = Kernel::stencil.size;
     if (here.near) {
       Sources<Kernel> from;
       resolve<Kernel>(here, I, from);
-      for (std::size_t k = 0; k < size; ++k) take(k, from.unknown[k], from.factor[k]);
+      for (std::size_t k = 0; k < Sources<Kernel>::size; ++k) take(k, from.unknown[k], from.factor[k]);
     } else {
-      const int base = scene.lattice.ghosted(I) * unknowns, along_1 = scene.lattice.ghosted_count[0] * unknowns,
-                along_2 = along_1 * scene.lattice.ghosted_count[1];
-      for (std::size_t k = 0; k < size; ++k) {
-        const Input& input = Kernel::stencil.inputs[k];
-        take(
-            k,
-            base + input.offset[2] * along_2 + input.offset[1] * along_1 + input.offset[0] * unknowns + input.component,
-            scale[input.component]);
-      }
+      gather_here<Kernel>(take, scene.lattice.ghosted(I) * unknowns, std::make_index_sequence<Sources<Kernel>::size>{});
     }
+  }
+  /// Takes each input where its offset says, unrolled: what the offsets have in common is computed once.
+  template <class Kernel, class Take, std::size_t... k>
+  void gather_here(const Take& take, int base, std::index_sequence<k...>) const {
+    const int along_1 = scene.lattice.ghosted_count[0] * unknowns, along_2 = along_1 * scene.lattice.ghosted_count[1];
+    const auto place = [&](const Input& input) {
+      return base + input.offset[2] * along_2 + input.offset[1] * along_1 + input.offset[0] * unknowns +
+             input.component;
+    };
+    (take(k, place(Kernel::stencil.inputs[k]), scale[Kernel::stencil.inputs[k].component]), ...);
   }
   template <class Kernel, class Number>
   void gather(const double* state, const Index& I, Local<Kernel, Number>& q) const {

@@ -10,13 +10,18 @@
 ///   static Reference resolve(const Scene&, const Index& I, const Input&)   where an input is read near barriers
 ///   static constexpr bool has_rates = true                       if it asks for time derivatives
 ///   static void evaluate(const Scene&, const Index& I, const Local<Kernel, Number>& q, std::array<Number, rows>& r)
+///
+/// An input is a number of one term, and what is made of few inputs one of few terms (math/sparse_dual.hpp): `auto`
+/// keeps it so, `Number` makes it one that may depend on all. Where an input stands is known when a kernel is compiled,
+/// provided that all of evaluate is inlined: it is marked [[gnu::flatten]], and what happens beside barriers alone is a
+/// function of its own, [[gnu::noinline]].
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
 #include "scree/grid/index.hpp"
-#include "scree/math/dual.hpp"
+#include "scree/math/sparse_dual.hpp"
 
 namespace scree {
 
@@ -106,28 +111,49 @@ struct HasRates : std::false_type {};
 template <class Kernel>
 struct HasRates<Kernel, std::enable_if_t<Kernel::has_rates>> : std::true_type {};
 
+/// Number, or what is left of it where it depends on k inputs alone.
+template <class Number, int k>
+struct FewOf {
+  using Type = Number;
+};
+template <int n, int k>
+struct FewOf<Dual<n>, k> {
+  using Type = SparseDual<n, k>;
+};
+
 /// The unknowns about an anchor, and their rates, as a kernel sees them (SI).
-template <class Kernel, class Number>
+template <class Kernel, class Number_>
 struct Local {
+  using Number = Number_;
   static constexpr std::size_t size = Kernel::stencil.size, rates = HasRates<Kernel>::value ? size : 0;
 
-  std::array<Number, size> value;
-  std::array<double, rates> rate;        ///< time derivatives
-  std::array<double, rates> rate_slope;  ///< d rate/d stored unknown, shift times scale
+  /// A number that depends on k of the inputs, an input being one of itself. Number is one that may depend on all.
+  template <int k>
+  using Few = typename FewOf<Number, k>::Type;
+
+  std::array<double, size> value;
+  std::array<double, IsDual<Number>::value ? size : 0> slope;  ///< d value/d stored unknown, its scale
+  std::array<double, rates> rate;                              ///< time derivatives
+  std::array<double, rates> rate_slope;                        ///< d rate/d stored unknown, shift times scale
 
   [[gnu::always_inline]] static int position(int component, const Index& offset) {
     return stencil_table<Kernel>.position[StencilTable<Kernel>::code(component, offset)];
   }
-  [[gnu::always_inline]] const Number& operator()(int component, const Index& offset = {}) const {
-    return value[static_cast<std::size_t>(position(component, offset))];
+  [[gnu::always_inline]] Few<1> operator()(int component, const Index& offset = {}) const {
+    const int k = position(component, offset);
+    if constexpr (IsDual<Number>::value)
+      return Few<1>(value[static_cast<std::size_t>(k)], k, slope[static_cast<std::size_t>(k)]);
+    else
+      return value[static_cast<std::size_t>(k)];
   }
   /// Time derivative of an input.
-  Number dot(int component, const Index& offset = {}) const {
+  [[gnu::always_inline]] Few<1> dot(int component, const Index& offset = {}) const {
     static_assert(rates > 0, "a kernel that asks for rates says so by has_rates");
-    const auto k = static_cast<std::size_t>(position(component, offset));
-    Number result(rate[k]);
-    if constexpr (IsDual<Number>::value) result.derivative[k] = rate_slope[k];
-    return result;
+    const int k = position(component, offset);
+    if constexpr (IsDual<Number>::value)
+      return Few<1>(rate[static_cast<std::size_t>(k)], k, rate_slope[static_cast<std::size_t>(k)]);
+    else
+      return rate[static_cast<std::size_t>(k)];
   }
 };
 

@@ -14,26 +14,58 @@
 #include <cstddef>
 #include <vector>
 
-#include "scree/math/dual.hpp"
+#include "scree/math/sparse_dual.hpp"
 
 namespace scree {
 
 enum class TangentKind { exact, stress_velocity };
 
 /// A strain rate by components with weights, such that S:S' = sum_k weight_k S_k S'_k: of the deviator, where div v is
-/// one of them with the weight -1/3.
-template <class Number, std::size_t capacity>
+/// one of them with the weight -1/3. At most `capacity` components of at most `most_terms` derivatives together.
+template <class Number, std::size_t capacity, std::size_t most_terms>
 struct StrainComponents {
-  std::array<Number, capacity> value;  ///< the first `size`
+  std::array<double, capacity> value;  ///< the first `size` [1/s]
   std::array<double, capacity> weight;
   std::size_t size = 0;
-  Number square{0.0};  ///< S:S [1/s2]
 
-  void add(const Number& component, double its_weight) {
+  void add(double component, double its_weight) {
     value[size] = component;
     weight[size++] = its_weight;
-    square += its_weight * (component * component);
+    square_ += its_weight * (component * component);
   }
+  template <int n, int k>
+  [[gnu::always_inline]] void add(const SparseDual<n, k>& component, double its_weight) {
+    for (int i = 0; i < k; ++i) terms_[term_count_++] = {size, component.at[i], component.slope[i]};
+    add(component.value, its_weight);
+  }
+
+  double square_value() const { return square_; }
+  /// S:S [1/s2].
+  Number square() const {
+    if constexpr (IsDual<Number>::value)
+      return square_along(2, value.data());
+    else
+      return square_;
+  }
+  /// S:S with the derivative factor Pi:dS.
+  Number square_along(double factor, const double* Pi) const {
+    Number result(square_);
+    for (std::size_t i = 0; i < term_count_; ++i) {
+      const std::size_t k = terms_[i].component;
+      result.derivative[terms_[i].at] += factor * weight[k] * Pi[k] * terms_[i].slope;
+    }
+    return result;
+  }
+
+ private:
+  struct Term {
+    std::size_t component;
+    int at;
+    double slope;
+  };
+  double square_ = 0;
+  std::array<Term, IsDual<Number>::value ? most_terms : 0> terms_;
+  std::size_t term_count_ = 0;
 };
 
 /// Pi at the places of one kind: cells, or edges along one axis.
@@ -54,32 +86,26 @@ class StressDirections {
   /// The tangents asked from now on belong to another iterate.
   void next() { ++iterate_; }
 
-  /// Replaces the derivative of `S_S`, the square of `S`, by 2 gamma Pi:dS. `gamma` [1/s] may leave out a T that is no
-  /// unknown.
-  template <class Number, std::size_t capacity>
-  void replace(std::size_t place, const StrainComponents<Number, capacity>& S, double gamma, Number& S_S) {
-    if (!(gamma > 0)) return;  // nothing moves and nothing floors it: the exact derivative is 0 too
+  /// The square of S with the derivative 2 gamma Pi:dS. `gamma` [1/s] may leave out a T that is no unknown.
+  template <class Number, std::size_t capacity, std::size_t most_terms>
+  Number square(std::size_t place, const StrainComponents<Number, capacity, most_terms>& S, double gamma) {
+    if (!(gamma > 0)) return S.square();  // nothing moves and nothing floors it: the exact derivative is 0 too
     if (made_[place] != iterate_) update(place, S, gamma);
-    const double* Pi = &values_[2 * components_ * place];
-    for (std::size_t j = 0; j < S_S.derivative.size(); ++j) {
-      double along = 0;
-      for (std::size_t k = 0; k < S.size; ++k) along += S.weight[k] * Pi[k] * S.value[k].derivative[j];
-      S_S.derivative[j] = 2 * gamma_[place] * along;
-    }
+    return S.square_along(2 * gamma_[place], &values_[2 * components_ * place]);
   }
 
  private:
-  template <class Number, std::size_t capacity>
-  void update(std::size_t place, const StrainComponents<Number, capacity>& S, double gamma) {
+  template <class Strain>
+  void update(std::size_t place, const Strain& S, double gamma) {
     double *Pi = &values_[2 * components_ * place], *old = Pi + components_;
     const bool first = made_[place] < 0;
     const double before = gamma_[place];
     double change = 0, norm = 0;
-    for (std::size_t k = 0; k < S.size && !first; ++k) change += S.weight[k] * old[k] * (S.value[k].value - old[k]);
+    for (std::size_t k = 0; k < S.size && !first; ++k) change += S.weight[k] * old[k] * (S.value[k] - old[k]);
     for (std::size_t k = 0; k < S.size; ++k) {
-      Pi[k] = first ? first_ * S.value[k].value / gamma : (S.value[k].value - Pi[k] * change / before) / before;
+      Pi[k] = first ? first_ * S.value[k] / gamma : (S.value[k] - Pi[k] * change / before) / before;
       norm += S.weight[k] * Pi[k] * Pi[k];
-      old[k] = S.value[k].value;
+      old[k] = S.value[k];
     }
     if (!first && norm > 1)
       for (std::size_t k = 0; k < S.size; ++k) Pi[k] /= std::sqrt(norm);

@@ -4,6 +4,7 @@
 #include "scree/assembly/newton_tangent.hpp"
 #include "scree/assembly/parameters.hpp"
 #include "scree/boundary/barriers.hpp"
+#include "scree/closures/voids.hpp"
 #include "scree/grid/metrics.hpp"
 
 namespace scree {
@@ -60,8 +61,15 @@ inline double prescribed_velocity(const Scene& scene, int component, int axis, c
 template <class L, class Q>
 auto face_solids_fraction(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
   const Index below = at - unit(axis);
-  if (scene.on_side(axis, I + at)) return q(L::nu, box_above(scene, axis, I + at) ? at : below);
-  return face_mean(scene, axis, I + at, q(L::nu, below), q(L::nu, at));
+  const auto between = [&] { return face_mean(scene, axis, I + at, q(L::nu, below), q(L::nu, at)); };
+  using Mean = decltype(between());
+  return scene.on_side(axis, I + at) ? Mean(q(L::nu, box_above(scene, axis, I + at) ? at : below)) : between();
+}
+
+/// void_floor of the scene.
+template <class Number>
+auto added_in_voids(const Scene& scene, const Number& nu) {
+  return through([&](const auto& x) { return void_floor(x, scene.model.solids_fraction_floor); }, nu);
 }
 
 /// Whether gas cannot pass the lower `axis` face of I.

@@ -35,13 +35,13 @@ struct FrictionRelaxation {
                                    true};
 
   /// nu (d(chi)/dt - source), source = (chi* - chi)/tau [1/s].
-  template <class Number>
-  static Number storage_less_source(const Number& nu, const Number& chi_dot, const Number& source) {
+  template <class X, class Y, class Z>
+  static auto storage_less_source(const X& nu, const Y& chi_dot, const Z& source) {
     return nu * (chi_dot - source);
   }
   /// chi that the volume flux F = nu v carries through a face, beyond that of `own` [m/s].
-  template <class Number>
-  static Number advection(const Number& F, const Number& carried, const Number& own) {
+  template <class X, class Y, class Z>
+  static auto advection(const X& F, const Y& carried, const Z& own) {
     return F * (carried - own);
   }
 };

@@ -23,8 +23,8 @@ struct GasContinuity {
                                    unbounded,      {},    {}};
 
   /// (1-nu) u through a face [m/s].
-  template <class Number>
-  static Number flux(const Number& nu, const Number& u) {
+  template <class X, class Y>
+  static auto flux(const X& nu, const Y& u) {
     return (1.0 - nu) * u;
   }
 };

@@ -43,28 +43,28 @@ struct GasMomentum {
     return rho_g * u_dot;
   }
   /// Momentum that the volume flux F = (1-nu) u carries through a face, beyond that of `own` [Pa].
-  template <class Number>
-  static Number advection(double rho_g, const Number& F, const Number& carried, const Number& own) {
+  template <class X, class Y, class Z>
+  static auto advection(double rho_g, const X& F, const Y& carried, const Z& own) {
     return rho_g * F * (carried - own);
   }
   /// What gas that comes in from rest outside has lost of pressure, rho_g u^2/2: inflow = (1-nu) u into the box [Pa].
-  template <class Number>
-  static Number entry_loss(double rho_g, const Number& inflow, const Number& u) {
+  template <class X, class Y>
+  static auto entry_loss(double rho_g, const X& inflow, const Y& u) {
     return 0.5 * rho_g * inflow * u;
   }
   /// (1-nu) (grad p_g + inertia) [N/m3].
-  template <class Number>
-  static Number pressure_and_inertia(const Number& nu, const Number& gradient, const Number& inertia_) {
+  template <class X, class Y, class Z>
+  static auto pressure_and_inertia(const X& nu, const Y& gradient, const Z& inertia_) {
     return (1.0 - nu) * (gradient + inertia_);
   }
   /// (1-nu) div of the viscous gas stress, from its divergence [N/m3].
-  template <class Number>
-  static Number viscous_stress(const Number& nu, const Number& divergence) {
+  template <class X, class Y>
+  static auto viscous_stress(const X& nu, const Y& divergence) {
     return (1.0 - nu) * divergence;
   }
   /// f of (6), slip = u - v [N/m3].
-  template <class Number>
-  static Number drag(const Number& beta, const Number& slip) {
+  template <class X, class Y>
+  static auto drag(const X& beta, const Y& slip) {
     return beta * slip;
   }
 };

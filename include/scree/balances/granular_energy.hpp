@@ -44,18 +44,18 @@ struct GranularEnergy {
   /// (3/2) rho_s [kg/m3], what T is multiplied by in storage and advection beside nu.
   static double capacity(double rho_s) { return 1.5 * rho_s; }
   /// (3/2) rho_s nu dT/dt [W/m3].
-  template <class Number>
-  static Number storage(double rho_s, const Number& nu, const Number& T_dot) {
+  template <class X, class Y>
+  static auto storage(double rho_s, const X& nu, const Y& T_dot) {
     return capacity(rho_s) * nu * T_dot;
   }
   /// Energy that the volume flux F = nu v carries through a face, beyond that of `own` [W/m2].
-  template <class Number>
-  static Number advection(double rho_s, const Number& F, const Number& carried, const Number& own) {
+  template <class X, class Y, class Z>
+  static auto advection(double rho_s, const X& F, const Y& carried, const Z& own) {
     return capacity(rho_s) * F * (carried - own);
   }
   /// q of (1.3), gradient = dT/dx [W/m2].
-  template <class Number>
-  static Number conduction(const Number& kappa, const Number& gradient) {
+  template <class X, class Y>
+  static auto conduction(const X& kappa, const Y& gradient) {
     return -kappa * gradient;
   }
 };

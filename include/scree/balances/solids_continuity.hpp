@@ -39,7 +39,7 @@ struct SolidsContinuity {
   }
   /// nu v through a face, `nu` being the upstream value [m/s].
   template <class Flow, class Number>
-  static Number flux(const Flow& v, const Number& nu) {
+  static auto flux(const Flow& v, const Number& nu) {
     return v * nu;
   }
 };

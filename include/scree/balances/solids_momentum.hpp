@@ -39,38 +39,38 @@ struct SolidsMomentum {
                                    {}};
 
   /// rho_s nu dv/dt [N/m3].
-  template <class Number>
-  static Number inertia(double rho_s, const Number& nu, const Number& v_dot) {
+  template <class X, class Y>
+  static auto inertia(double rho_s, const X& nu, const Y& v_dot) {
     return rho_s * nu * v_dot;
   }
   /// Momentum that the volume flux F = nu v carries through a face, beyond that of `own`, the volume it enters [Pa].
-  template <class Number>
-  static Number advection(double rho_s, const Number& F, const Number& carried, const Number& own) {
+  template <class X, class Y, class Z>
+  static auto advection(double rho_s, const X& F, const Y& carried, const Z& own) {
     return rho_s * F * (carried - own);
   }
   /// sigma_aa of (8), sigma_s = p I - 2 mu S [Pa].
-  template <class Number>
-  static Number normal_stress(const Number& p, const Number& mu, const Number& S_aa) {
+  template <class X, class Y, class Z>
+  static auto normal_stress(const X& p, const Y& mu, const Z& S_aa) {
     return p - 2.0 * mu * S_aa;
   }
   /// sigma_ab of (8) [Pa].
-  template <class Number>
-  static Number shear_stress(const Number& mu, const Number& D_ab) {
+  template <class X, class Y>
+  static auto shear_stress(const X& mu, const Y& D_ab) {
     return -2.0 * mu * D_ab;
   }
   /// nu grad p_g [N/m3].
-  template <class Number>
-  static Number gas_pressure(const Number& nu, const Number& gradient) {
+  template <class X, class Y>
+  static auto gas_pressure(const X& nu, const Y& gradient) {
     return nu * gradient;
   }
   /// nu div of the viscous gas stress, from its divergence [N/m3].
-  template <class Number>
-  static Number gas_stress(const Number& nu, const Number& divergence) {
+  template <class X, class Y>
+  static auto gas_stress(const X& nu, const Y& divergence) {
     return nu * divergence;
   }
   /// f of (6), slip = u - v [N/m3].
-  template <class Number>
-  static Number drag(const Number& beta, const Number& slip) {
+  template <class X, class Y>
+  static auto drag(const X& beta, const Y& slip) {
     return beta * slip;
   }
   /// Weight less buoyancy: rho = rho_s - rho_g, g along the axis [N/m3].
@@ -79,8 +79,8 @@ struct SolidsMomentum {
     return (rho * g) * nu;
   }
   /// floor rho_s v/t_d, what slows particles in voids of a scene without gas velocity [N/m3].
-  template <class Number>
-  static Number void_drag(double rho_s, double t_d, const Number& floor, const Number& v) {
+  template <class X, class Y>
+  static auto void_drag(double rho_s, double t_d, const X& floor, const Y& v) {
     return (rho_s / t_d) * floor * v;
   }
 };

@@ -78,6 +78,7 @@ CellClosures<Number> cell_closure(const SolidsPoint<Number>& q, const SolidsPara
 template <class Number>
 Number production_share(const Number& nu) {
   constexpr double dilute = 1e-4;
+  if (nu > 200 * dilute) return Number(1.0);  // to rounding
   const Number power = integer_power(nu / dilute, 8);
   return power / (1.0 + power);
 }
@@ -143,8 +144,8 @@ inline double raised_temperature(double nu, double T, double div_v, double S_S, 
 }
 
 /// Right-hand side of (23): (chi* - chi)/tau [1/s].
-template <class Number>
-Number chi_source(const Number& chi, const Number& steady, const FrictionParameters& p) {
+template <class X, class Y>
+auto chi_source(const X& chi, const Y& steady, const FrictionParameters& p) {
   return (steady - chi) / p.tau;
 }
 

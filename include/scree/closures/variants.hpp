@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "scree/math/dual.hpp"
+#include "scree/math/through.hpp"
 
 namespace scree {
 

@@ -11,6 +11,7 @@ template <class Number>
 Number void_floor(const Number& nu, double eps) {
   if (nu < 0.0) return eps - nu;
   if (eps == 0) return Number(0.0);
+  if (nu > 2e4 * eps) return Number(0.0);  // to rounding, beside nu
   const Number x = nu / (10 * eps), square = x * x;
   return eps / (1.0 + square * square);
 }

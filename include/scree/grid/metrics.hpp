@@ -46,26 +46,26 @@ struct Metrics {
 // ---- differences [1/m] ----
 
 /// d/d axis at the lower `axis` face of I, of a quantity at the centres of the cells below and above.
-template <class Number>
-Number difference_at_face(const Metrics& grid, int axis, const Index& I, const Number& below, const Number& above) {
+template <class A, class B>
+auto difference_at_face(const Metrics& grid, int axis, const Index& I, const A& below, const B& above) {
   return (above - below) / grid.centre_distance(axis, I);
 }
 
 /// d/d axis in cell I, of a quantity at its lower and upper `axis` faces.
-template <class Number>
-Number difference_in_cell(const Metrics& grid, int axis, const Index& I, const Number& lower, const Number& upper) {
+template <class A, class B>
+auto difference_in_cell(const Metrics& grid, int axis, const Index& I, const A& lower, const B& upper) {
   return (upper - lower) / grid.cell_length(axis, I);
 }
 
 /// d/d axis from the centre of cell I to one of its `axis` faces, or back [1/m].
-template <class Number>
-Number difference_to_face(const Metrics& grid, int axis, const Index& I, const Number& from, const Number& to) {
+template <class A, class B>
+auto difference_to_face(const Metrics& grid, int axis, const Index& I, const A& from, const B& to) {
   return (to - from) / grid.distance_to_face(axis, I);
 }
 
 /// d/d axis at the lower `axis` face of I, on a side of the box, from the centre of the cell before it to the side.
-template <class Number>
-Number difference_to_side(const Metrics& grid, int axis, const Index& I, const Number& lower, const Number& upper) {
+template <class A, class B>
+auto difference_to_side(const Metrics& grid, int axis, const Index& I, const A& lower, const B& upper) {
   return (upper - lower) / grid.control_length(axis, I);
 }
 
@@ -86,8 +86,8 @@ Number out_of_control_volume(const Metrics& grid, int axis, const Index& I, End 
 // ---- means ----
 
 /// Over the two cells about the lower `axis` face of I, weighted by their shares in its control volume.
-template <class Number>
-Number face_mean(const Metrics& grid, int axis, const Index& I, const Number& below, const Number& above) {
+template <class A, class B>
+auto face_mean(const Metrics& grid, int axis, const Index& I, const A& below, const B& above) {
   const double share = grid.lower_share(axis, I);
   return share * below + (1 - share) * above;
 }

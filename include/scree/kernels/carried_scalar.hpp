@@ -11,7 +11,6 @@
 /// Units: those of phi times c per time and volume.
 #pragma once
 
-#include "scree/closures/voids.hpp"
 #include "scree/kernels/cell_strain.hpp"
 #include "scree/kernels/scalar_fluxes.hpp"
 
@@ -51,7 +50,7 @@ struct CarriedScalarFlux {
                        std::array<Number, count>& r) {
     const Number F = scree::solids_flux<L, SecondOrder>(scene, I, q, axis, {});
     const Number value = carried<L, SecondOrder, Scalar>(scene, I, q, axis, F);
-    const Number &below = q(phi, -1 * e), &above = q(phi);
+    const auto below = q(phi, -1 * e), above = q(phi);
     Number conducted(0.0);
     if (!scene.barrier(axis, I)) {
       const Number nu = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
@@ -89,7 +88,8 @@ struct CarriedScalarSource {
   static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarSource, Number>& q,
                        std::array<Number, count>& r) {
     const auto strain = cell_strain<L>(scene, I, q);
-    const Number &nu = q(L::nu), stored = nu + void_floor(nu, scene.model.solids_fraction_floor);
+    const auto nu = q(L::nu);
+    const auto stored = nu + added_in_voids(scene, nu);
     const ScalarPoint<Number> at{q(phi),       nu,        Number(temperature_input<L>(q)), Number(chi_input<L>(q)),
                                  strain.div_v, strain.S_S};
     r[0] += Scalar::capacity(scene) * stored * q.dot(phi) - Scalar::source(scene, at);

@@ -2,7 +2,6 @@
 /// temperature (9), relaxation of chi (23), drag (6) on both phases.
 #pragma once
 
-#include "scree/closures/voids.hpp"
 #include "scree/kernels/cell_strain.hpp"
 
 namespace scree {
@@ -43,8 +42,8 @@ struct CellBalances {
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<CellBalances, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<CellBalances, Number>& q,
+                                        std::array<Number, count>& r) {
     const auto strain = cell_strain<L>(scene, I, q);
     const auto [p, mu, energy, chi_star, beta, beta_over_nu] =
         cell_closures<L, CellClosure::pressure, CellClosure::viscosity, CellClosure::energy_source,
@@ -57,7 +56,8 @@ struct CellBalances {
     }
     r[nu_row] += SolidsContinuity::storage(q.dot(L::nu));
 
-    const Number floor = void_floor(q(L::nu), scene.model.solids_fraction_floor), stored = q(L::nu) + floor;
+    const auto floor = added_in_voids(scene, q(L::nu));
+    const auto stored = q(L::nu) + floor;
     if constexpr (L::has_T)
       r[T_row] += GranularEnergy::storage(scene.solids.kinetic.rho_s, stored, q.dot(L::T)) - energy;
     if constexpr (L::has_chi)
@@ -76,9 +76,9 @@ struct CellBalances {
                        const Number& on_v, std::array<Number, count>& r) {
     for (int a = 0; a < L::dim; ++a)
       for (int side = 0; side < 2; ++side) {
-        const Number w = share_of_cell(scene, a, I, side) * gas_slip<L>(q, a, side * unit(a));
-        r[2 * a + side] -= SolidsMomentum::drag(on_v, Number(w));
-        r[u_row + 2 * a + side] += GasMomentum::drag(beta, Number(w));
+        const auto w = share_of_cell(scene, a, I, side) * gas_slip<L>(q, a, side * unit(a));
+        r[2 * a + side] -= SolidsMomentum::drag(on_v, w);
+        r[u_row + 2 * a + side] += GasMomentum::drag(beta, w);
       }
   }
 };

@@ -35,7 +35,8 @@ constexpr StencilBuilder cell_stencil() {
 /// At a wall with slip the velocity beyond is unknown: the edge takes the shear rate of the opposite edge of the cell.
 /// Where there is no shear by the condition (symmetry, free slip), and between barriers one cell apart, the edge counts
 /// with zero.
-inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, const Index& I, int a, int b) {
+[[gnu::noinline]] inline std::array<std::array<double, 2>, 2> edge_weights(const Scene& scene, const Index& I, int a,
+                                                                           int b) {
   std::array<std::array<double, 2>, 2> weights{{{0, 0}, {0, 0}}};
   for (int side_a = 0; side_a < 2; ++side_a)
     for (int side_b = 0; side_b < 2; ++side_b) {
@@ -66,21 +67,21 @@ template <class L, class Q>
 
 /// T, chi or g_f among the inputs, or a constant where it is no unknown: `through` does not differentiate a double.
 template <class L, class Q>
-decltype(auto) temperature_input(const Q& q, const Index& at = {}) {
+[[gnu::always_inline]] inline auto temperature_input(const Q& q, const Index& at = {}) {
   if constexpr (L::has_T)
     return q(L::T, at);
   else
     return 0.0;
 }
 template <class L, class Q>
-decltype(auto) chi_input(const Q& q, const Index& at = {}) {
+[[gnu::always_inline]] inline auto chi_input(const Q& q, const Index& at = {}) {
   if constexpr (L::has_chi)
     return q(L::chi, at);
   else
     return 1.0;
 }
 template <class L, class Q>
-decltype(auto) fluidity_input(const Q& q, const Index& at = {}) {
+[[gnu::always_inline]] inline auto fluidity_input(const Q& q, const Index& at = {}) {
   if constexpr (L::has_g_f)
     return q(L::g_f, at);
   else
@@ -89,46 +90,46 @@ decltype(auto) fluidity_input(const Q& q, const Index& at = {}) {
 
 /// S:S of the components of S at a place with anchor I, with the derivative that the tangent asked for has. T is the
 /// granular temperature where it is an unknown; `kind` gives the directions of the places of this kind.
-template <class Number, std::size_t capacity, class Temperature, class Kind>
-[[gnu::always_inline]] inline Number square_of_strain(const Scene& scene, const StrainComponents<Number, capacity>& S,
+template <class Number, std::size_t capacity, std::size_t most_terms, class Temperature, class Kind>
+[[gnu::always_inline]] inline Number square_of_strain(const Scene& scene,
+                                                      const StrainComponents<Number, capacity, most_terms>& S,
                                                       [[maybe_unused]] const Temperature& T,
                                                       [[maybe_unused]] const Index& I, [[maybe_unused]] Kind&& kind) {
-  Number S_S = S.square;
   if constexpr (IsDual<Number>::value)
     if (scene.tangent) {
-      const double gamma = fluctuating_strain_rate(value_of(S_S), value_of(T), scene.solids.friction);
-      kind(*scene.tangent)->replace(static_cast<std::size_t>(scene.lattice.ghosted(I)), S, gamma, S_S);
+      const double gamma = fluctuating_strain_rate(S.square_value(), value_of(T), scene.solids.friction);
+      return kind(*scene.tangent)->square(static_cast<std::size_t>(scene.lattice.ghosted(I)), S, gamma);
     }
-  return S_S;
+  return S.square();
 }
 
-template <class Number, int dim>
+template <class Q, int dim>
 struct CellStrain {
-  std::array<Number, dim> D;  ///< normal components D_aa [1/s]
-  Number div_v;               ///< [1/s]
-  Number S_S;                 ///< S:S [1/s2]
+  using Number = typename Q::Number;
+  std::array<typename Q::template Few<2>, dim> D;  ///< normal components D_aa [1/s]
+  typename Q::template Few<2 * dim> div_v;         ///< [1/s]
+  Number S_S;                                      ///< S:S [1/s2]
 
   /// S:S of the normal components alone [1/s2].
   Number normal_square() const {
     Number sum = -(div_v * div_v) / 3.0;
-    for (const Number& component : D) sum += component * component;
+    for (const auto& component : D) sum += component * component;
     return sum;
   }
   /// S_aa [1/s].
-  Number S(int a) const { return D[a] - div_v / 3.0; }
+  auto S(int a) const { return D[a] - div_v / 3.0; }
 };
 
 template <class L, class Q>
 auto cell_strain(const Scene& scene, const Index& I, const Q& q) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
-  CellStrain<Number, L::dim> strain;
-  StrainComponents<Number, L::dim + 1 + 2 * L::dim*(L::dim - 1)> S;
-  strain.div_v = Number(0.0);
+  constexpr std::size_t edges = 2 * L::dim * (L::dim - 1);
+  CellStrain<Q, L::dim> strain;
+  StrainComponents<typename Q::Number, L::dim + 1 + edges, 4 * L::dim + 4 * edges> S;
   for (int a = 0; a < L::dim; ++a) {
     strain.D[a] = difference_in_cell(scene, a, I, q(L::v(a)), q(L::v(a), unit(a)));
-    strain.div_v += strain.D[a];
     S.add(strain.D[a], 1);
   }
+  strain.div_v = sum(strain.D);
   S.add(strain.div_v, -1.0 / 3);
 
   const bool near = scene.near;

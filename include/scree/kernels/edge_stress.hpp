@@ -57,17 +57,18 @@ struct EdgeStress {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
-                       std::array<Number, count>& r) {
-    const Number D_ab = shear_rate<L>(scene, I, q, a, b, {});
-    const Number nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
+                                        std::array<Number, count>& r) {
+    const auto D_ab = shear_rate<L>(scene, I, q, a, b, {});
+    const auto nu = mean(scene, I, [&](const Index& cell) { return q(L::nu, cell); });
     const auto T = mean(scene, I, [&](const Index& cell) { return temperature_input<L>(q, cell); });
     const auto [div_v, S_S] = strain_invariants(scene, I, q, D_ab, T);
     const auto chi = mean(scene, I, [&](const Index& cell) { return chi_input<L>(q, cell); });
     const auto g_f = mean(scene, I, [&](const Index& cell) { return fluidity_input<L>(q, cell); });
-    const auto slip_squared = edge_slip_squared<L>(
-        scene, I, q, a, b, nu, [&](int axis, const Index& face) { return before_sides(scene, I, face, axis); });
-    const Number p_c = mean(scene, I, [&](const Index& cell) { return pressure_in(scene, I, q, cell); });
+    const auto slip_squared = edge_slip_squared<L>(scene, I, q, a, b, nu, [&](int axis, const Index& face) {
+      return scene.near ? before_sides(scene, I, face, axis) : face;
+    });
+    const auto p_c = mean_pressure(scene, I, q);
     const Number mu = through(
         [&](const auto& nu_, const auto& p_c_, const auto& T_, const auto& chi_, const auto& div_v_, const auto& S_S_,
             const auto& slip_,
@@ -85,27 +86,43 @@ struct EdgeStress {
   }
 
  private:
-  /// The pressure of friction in a cell. An edge takes the mean of its cells, not p_c (18) at their mean nu, which is
-  /// nothing beside a partly filled cell: the row at a surface would slide on the bed without friction. Where nu is
-  /// smooth the two differ by the square of the cell. A partly filled cell that rests on the one below presses on it.
+  /// The pressure of friction, as the mean of that of the cells and not p_c (18) at their mean nu, which is nothing
+  /// beside a partly filled cell: the row at a surface would slide on the bed without friction. Where nu is smooth the
+  /// two differ by the square of the cell. A partly filled cell that rests on the one below presses on it.
   template <class Number>
-  static Number pressure_in(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, const Index& cell) {
+  static Number mean_pressure(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q) {
+    using OfOne = typename Local<EdgeStress, Number>::template Few<1>;
+    Number p(0.0);
     const FrictionParameters& friction = scene.solids.friction;
-    if (!friction.model->has_friction) return Number(0.0);
-    const Number p_c = critical_pressure(q(L::nu, cell), friction);
-    Number p = p_c;
-    for (const int axis : {a, b}) {
-      const double g = scene.gravity[axis];
-      const bool upper = (cell[axis] == 0) == (g < 0);
-      if (g == 0 || !upper || on_side_of_axis(scene, axis, I)) continue;
-      const Index below = cell + (g < 0 ? -1 : 1) * unit(axis);
-      if (scene.barrier(axis, I + (g < 0 ? cell : below))) continue;
-      p += resting_excess(p_c, half_weight(scene, I + cell, axis, q(L::nu, cell)),
-                          critical_pressure(q(L::nu, below), friction),
-                          half_weight(scene, I + below, axis, q(L::nu, below)));
+    if (!friction.model->has_friction) return p;
+    const std::array<OfOne, 4> nu{q(L::nu, cells[0]), q(L::nu, cells[1]), q(L::nu, cells[2]), q(L::nu, cells[3])};
+    std::array<OfOne, 4> p_c;
+    for (std::size_t k = 0; k < 4; ++k) p_c[k] = critical_pressure(nu[k], friction);
+    const std::array<double, 4> share = shares(scene, I);
+    for (std::size_t k = 0; k < 4; ++k) {
+      p += share[k] * p_c[k];
+      for (const int axis : {a, b}) {
+        const double g = scene.gravity[axis];
+        const bool upper = (cells[k][axis] == 0) == (g < 0);
+        if (g == 0 || !upper || (scene.near && !touch(scene, I, axis, g, cells[k]))) continue;
+        const Index below = cells[k] + (g < 0 ? -1 : 1) * unit(axis);
+        const std::size_t j = place(below);
+        const auto excess =
+            through([](const auto&... z) { return resting_excess(z...); }, p_c[k],
+                    half_weight(scene, I + cells[k], axis, nu[k]), p_c[j], half_weight(scene, I + below, axis, nu[j]));
+        if (excess > 0.0) p += share[k] * excess;
+      }
     }
     return p;
   }
+  /// Whether a cell of the edge lies on the one below it along `axis`, with nothing between the two.
+  [[gnu::noinline]] static bool touch(const Scene& scene, const Index& I, int axis, double g, const Index& upper) {
+    if (on_side_of_axis(scene, axis, I)) return false;
+    const Index cell = before_sides(scene, I, upper);
+    return !scene.barrier(axis, I + (g < 0 ? cell : cell + unit(axis)));
+  }
+  /// Where a cell stands among `cells`.
+  static std::size_t place(const Index& cell) { return (cell[a] == 0 ? 1 : 0) + (cell[b] == 0 ? 2 : 0); }
 
   /// Whether the edge lies on one side of the box, between two cells, and an open part of that side is beside it.
   static bool beside_opening(const Scene& scene, const Index& I) {
@@ -127,7 +144,7 @@ struct EdgeStress {
   }
 
   /// Share of the stress that acts on momentum `axis`: of the face between its control volumes along `across`.
-  static double share_of_stress(const Scene& scene, const Index& I, int axis, int across) {
+  [[gnu::noinline]] static double share_of_stress(const Scene& scene, const Index& I, int axis, int across) {
     if (on_side_of_axis(scene, across, I)) return 0;
     if (!on_side_of_axis(scene, axis, I)) return open_share(scene, I, axis, across);
     return scene.barrier(across, I + before_side(I, axis, Index{})) ? 0 : 1;
@@ -139,60 +156,86 @@ struct EdgeStress {
     return (scene.barrier(across, I - unit(axis)) ? 0 : below) + (scene.barrier(across, I) ? 0 : 1 - below);
   }
 
-  static constexpr int none = -1;
-
-  /// Bilinear interpolation of a cell quantity to the edge. The centre of a wide cell is far: the weights are
-  /// crosswise.
-  template <class Value>
-  static auto mean(const Scene& scene, const Index& I, Value&& value) {
+  /// Weights of the four cells in a bilinear interpolation to the edge. The centre of a wide cell is far: the weights
+  /// are crosswise.
+  static std::array<double, 4> shares(const Scene& scene, const Index& I) {
     const double far_a = scene.lower_share(a, I), far_b = scene.lower_share(b, I);
-    const auto at = [&](const Index& cell) { return value(before_sides(scene, I, cell, none)); };
-    return std::decay_t<decltype(value(Index{}))>((1 - far_a) * (1 - far_b) * at(cells[0]) +
-                                                  far_a * (1 - far_b) * at(cells[1]) +
-                                                  (1 - far_a) * far_b * at(cells[2]) + far_a * far_b * at(cells[3]));
+    return {(1 - far_a) * (1 - far_b), far_a * (1 - far_b), (1 - far_a) * far_b, far_a * far_b};
+  }
+  /// The mean of a cell quantity with them. Inlined by force: where an input stands is known when this is compiled.
+  template <class Value>
+  [[gnu::always_inline]] static auto mean(const Scene& scene, const Index& I, Value&& value) {
+    const std::array<double, 4> share = shares(scene, I);
+    return share[0] * value(cells[0]) + share[1] * value(cells[1]) + share[2] * value(cells[2]) +
+           share[3] * value(cells[3]);
   }
 
   /// {div v, S:S} at the edge: D_ab as it is, normal components as means over the four cells, other shear components
   /// as means of the squares over the edges about.
-  template <class Number, class Temperature>
-  static std::array<Number, 2> strain_invariants(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q,
-                                                 const Number& D_ab, const Temperature& T) {
-    Number div_v(0.0);
-    StrainComponents<Number, component_count> S;
+  template <class Number, class Rate, class Temperature>
+  [[gnu::always_inline]] static auto strain_invariants(const Scene& scene, const Index& I,
+                                                       const Local<EdgeStress, Number>& q, const Rate& D_ab,
+                                                       const Temperature& T) {
+    using Q = Local<EdgeStress, Number>;
+    std::array<typename Q::template Few<8>, L::dim> D;
+    Strain<Number> S;
     S.add(D_ab, 2);
     for (int axis = 0; axis < L::dim; ++axis) {
-      const Number D = mean(scene, I, [&](const Index& cell) {
-        return difference_in_cell(scene, axis, I + cell, q(L::v(axis), cell), q(L::v(axis), cell + unit(axis)));
-      });
-      div_v += D;
-      S.add(D, 1);
+      if (scene.near && on_side_of_axis(scene, axis, I))
+        D[axis] = normal_before_side(scene, I, q, axis);
+      else
+        D[axis] = mean(scene, I, [&](const Index& cell) [[gnu::always_inline]] {
+          return normal_in_cell(scene, I, q, axis, cell);
+        });
+      S.add(D[axis], 1);
       if constexpr (L::dim > 2)
         if (axis != a && axis != b) add_other_shear(scene, I, q, axis, S);
     }
+    const auto div_v = sum(D);
     S.add(div_v, -1.0 / 3);
-    return {div_v, square_of_strain(scene, S, T, I, [](NewtonTangent& t) { return &t.edges[3 - a - b]; })};
+    return std::pair(div_v, square_of_strain(scene, S, T, I, [](NewtonTangent& t) { return &t.edges[3 - a - b]; }));
+  }
+
+  /// D_aa of a cell.
+  template <class Q>
+  [[gnu::always_inline]] static auto normal_in_cell(const Scene& scene, const Index& I, const Q& q, int axis,
+                                                    const Index& cell) {
+    return difference_in_cell(scene, axis, I + cell, q(L::v(axis), cell), q(L::v(axis), cell + unit(axis)));
+  }
+  /// The mean of D_aa on a side of the box normal to the axis, from the cells before it.
+  template <class Q>
+  [[gnu::noinline]] static auto normal_before_side(const Scene& scene, const Index& I, const Q& q, int axis) {
+    return mean(scene, I,
+                [&](const Index& cell) { return normal_in_cell(scene, I, q, axis, before_side(I, axis, cell)); });
   }
 
   /// The most components of S at an edge: D_ab, D_aa, div v and D_ac, D_bc on the edges about.
   static constexpr std::size_t component_count = L::dim + 2 + (L::dim > 2 ? 8 : 0);
+  static constexpr std::size_t term_count = 4 + 16 * L::dim + (L::dim > 2 ? 32 : 0);
+  template <class Number>
+  using Strain = StrainComponents<Number, component_count, term_count>;
 
+  [[gnu::noinline]] static bool barrier_before_side(const Scene& scene, const Index& I, int c, const Index& at) {
+    return scene.barrier(c, I + before_sides(scene, I, at));
+  }
   /// Whether a barrier is on the lower `c` face of cell I + at, or of the cell before the side that the edge lies on.
   static bool shut(const Scene& scene, const Index& I, int c, const Index& at) {
-    return scene.barrier(c, I + before_sides(scene, I, at, c));
+    return scene.near && barrier_before_side(scene, I, c, at);
   }
 
+  static constexpr int none = -1;
+
   /// `at` moved before the sides that the edge lies on, but not along axis `kept`.
-  static Index before_sides(const Scene& scene, const Index& I, Index at, int kept) {
-    if (!scene.near) return at;
-    if (a != kept && on_side_of_axis(scene, a, I)) at = before_side(I, a, at);
-    if (b != kept && on_side_of_axis(scene, b, I)) at = before_side(I, b, at);
+  static Index before_sides(const Scene& scene, const Index& I, Index at, int kept = none) {
+    for (const int normal : {a, b})
+      if (normal != kept && on_side_of_axis(scene, normal, I)) at = before_side(I, normal, at);
     return at;
   }
 
   /// D_ac and D_bc, c being the axis along the edge; edges on barriers count with zero.
   template <class Number>
   static void add_other_shear(const Scene& scene, const Index& I, const Local<EdgeStress, Number>& q, int c,
-                              StrainComponents<Number, component_count>& S) {
+                              Strain<Number>& S) {
     for (int side = 0; side < 2; ++side)
       for (int back = 0; back < 2; ++back) {
         const auto add = [&](int axis, const Index& at) {

@@ -6,7 +6,6 @@
 #include "scree/assembly/kernel.hpp"
 #include "scree/assembly/scene.hpp"
 #include "scree/balances/layout.hpp"
-#include "scree/closures/voids.hpp"
 
 namespace scree {
 
@@ -36,18 +35,23 @@ struct FaceForces {
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
+                                        std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
-    Number nu = before_step<L>(scene, I, q);
+    const auto add = [&](const auto& nu) {
+      const auto floor = added_in_voids(scene, nu);
+      r[0] += SolidsMomentum::inertia(rho_s, nu + floor, q.dot(L::v(axis))) -
+              SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
+      if constexpr (!L::has_u)
+        r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
+    };
+    const auto nu = before_step<L>(scene, I, q);
     if (scene.on_side(axis, I)) {
       const double outwards = box_above(scene, axis, I) ? -1 : 1;
-      nu = nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis)))));
+      add(nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis))))));
+    } else {
+      add(nu);
     }
-    const Number floor = void_floor(nu, scene.model.solids_fraction_floor);
-    r[0] += SolidsMomentum::inertia(rho_s, Number(nu + floor), q.dot(L::v(axis))) -
-            SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
-    if constexpr (!L::has_u) r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
   }
 
  private:

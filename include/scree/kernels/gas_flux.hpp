@@ -29,23 +29,22 @@ constexpr void add_gas_flux_inputs(StencilBuilder& s, int axis, const Index& at)
 /// (1-nu) u at the lower `axis` face of I + at [m/s], with the mean of nu: 0 at walls.
 template <class L, class Q>
 auto gas_flux(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
+  using Flux = std::conditional_t<L::has_u, typename Q::template Few<3>, typename Q::Number>;
   const Index face = I + at;
-  if (closed_to_gas(scene, axis, face)) return Number(0.0);
-  if (scene.barrier(axis, face) && scene.kind(axis, face).brings_gas())
-    return Number(given_gas_flux(scene, axis, face));
-  const Number nu = face_solids_fraction<L>(scene, I, q, axis, at);
+  if (closed_to_gas(scene, axis, face)) return Flux(0.0);
+  if (scene.barrier(axis, face) && scene.kind(axis, face).brings_gas()) return Flux(given_gas_flux(scene, axis, face));
+  const auto nu = face_solids_fraction<L>(scene, I, q, axis, at);
   if constexpr (L::has_u) {
-    return GasContinuity::flux(nu, q(L::u(axis), at));
+    return Flux(GasContinuity::flux(nu, q(L::u(axis), at)));
   } else {
-    const Number gradient = pressure_gradient<L>(scene, I, q, axis, at);
-    const Number squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
-    const Number mobility = through(
+    const auto gradient = pressure_gradient<L>(scene, I, q, axis, at);
+    const auto squared = pressure_gradient_squared<L>(scene, I, q, axis, at);
+    const auto mobility = through(
         [&](const auto& nu_, const auto& squared_) {
           return darcy_mobility(nu_, squared_, scene.model.darcy_solids_fraction, scene.solids.kinetic.d, scene.gas());
         },
         nu, squared);
-    return GasContinuity::flux(nu, Number(q(L::v(axis), at) - mobility * gradient));
+    return Flux(GasContinuity::flux(nu, q(L::v(axis), at) - mobility * gradient));
   }
 }
 

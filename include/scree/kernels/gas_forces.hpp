@@ -38,15 +38,16 @@ struct GasForces {
   template <class Number, std::size_t count>
   static void evaluate(const Scene& scene, const Index& I, const Local<GasForces, Number>& q,
                        std::array<Number, count>& r) {
-    const Number nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
-    const Number gradient = pressure_gradient<L>(scene, I, q, axis, Index{});
+    const auto nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
+    const auto gradient = pressure_gradient<L>(scene, I, q, axis, Index{});
     if constexpr (L::has_u) {
       r[0] += SolidsMomentum::gas_pressure(nu, gradient);
       r[1] +=
           GasMomentum::pressure_and_inertia(nu, gradient, GasMomentum::inertia(scene.gas().rho_g, q.dot(L::u(axis))));
     } else {
       const double floor = scene.model.darcy_solids_fraction;
-      const Number with_drag = nu * (1.0 + (1.0 - nu) / sqrt(nu * nu + floor * floor));
+      const auto with_drag =
+          through([&](const auto& x) { return x * (1.0 + (1.0 - x) / sqrt(x * x + floor * floor)); }, nu);
       r[0] += SolidsMomentum::gas_pressure(with_drag, gradient);
     }
   }

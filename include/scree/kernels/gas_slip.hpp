@@ -17,18 +17,18 @@ namespace scree {
 template <class L, class Q>
 [[gnu::always_inline]] inline auto pressure_gradient(const Scene& scene, const Index& I, const Q& q, int axis,
                                                      const Index& at) {
-  using Number = std::decay_t<decltype(q(L::p))>;
+  using Gradient = typename Q::template Few<2>;
   const Index face = I + at;
   if (scene.barrier(axis, face)) {
     const Condition& condition = scene.condition(axis, face);
-    if (condition.kind.gas_pressure != GasPressure::prescribed) return Number(0.0);
+    if (condition.kind.gas_pressure != GasPressure::prescribed) return Gradient(0.0);
     const double outside = condition.gas_pressure;
     return box_above(scene, axis, face)
-               ? difference_to_side(scene, axis, face, Number(outside), q(L::p, at))
-               : difference_to_side(scene, axis, face, q(L::p, at - unit(axis)), Number(outside));
+               ? Gradient(difference_to_side(scene, axis, face, outside, q(L::p, at)))
+               : Gradient(difference_to_side(scene, axis, face, q(L::p, at - unit(axis)), outside));
   }
-  return Number(scene.model.mean_pressure_gradient[axis] +
-                difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at)));
+  return Gradient(scene.model.mean_pressure_gradient[axis] +
+                  difference_at_face(scene, axis, face, q(L::p, at - unit(axis)), q(L::p, at)));
 }
 
 /// Inputs of pressure_gradient_squared at the lower `axis` face of anchor + at.
@@ -56,21 +56,21 @@ auto cell_gradient(const Scene& scene, const Index& I, const Q& q, int b, const 
 template <class L, class Q>
 auto pressure_gradient_squared(const Scene& scene, const Index& I, const Q& q, int axis, const Index& at) {
   const auto own = pressure_gradient<L>(scene, I, q, axis, at);
-  auto sum = own * own;
+  typename Q::Number sum = square(own);
   const bool below = scene.inside(I + at - unit(axis)), above = scene.inside(I + at);
   for (int b = 0; b < L::dim; ++b) {
     if (b == axis) continue;
-    std::decay_t<decltype(sum)> g(0.0);
+    typename Q::Number g(0.0);
     if (below) g += (above ? 0.5 : 1.0) * cell_gradient<L>(scene, I, q, b, at - unit(axis));
     if (above) g += (below ? 0.5 : 1.0) * cell_gradient<L>(scene, I, q, b, at);
-    sum += g * g;
+    sum += square(g);
   }
   return sum;
 }
 
 /// |u - v|^2 that balances a gradient of p_g.
-template <class L, class Number>
-Number slip_squared_of_gradient(const Scene& scene, const Number& nu, const Number& gradient_squared) {
+template <class Fraction, class Number>
+auto slip_squared_of_gradient(const Scene& scene, const Fraction& nu, const Number& gradient_squared) {
   return through(
       [&](const auto& nu_, const auto& squared) {
         return darcy_slip_squared(nu_, squared, scene.model.darcy_solids_fraction, scene.solids.kinetic.d, scene.gas());
@@ -101,20 +101,17 @@ auto cell_slip_squared(const Scene& scene, const Index& I, const Q& q) {
   if constexpr (!L::has_gas) {
     return 0.0;
   } else {
-    using Number = std::decay_t<decltype(q(L::nu))>;
-    Number sum(0.0);
+    typename Q::Number sum(0.0);
     for (int a = 0; a < L::dim; ++a) {
-      Number w;
       if constexpr (L::has_u)
-        w = 0.5 * (gas_slip<L>(q, a, {}) + gas_slip<L>(q, a, unit(a)));
+        sum += square(0.5 * (gas_slip<L>(q, a, {}) + gas_slip<L>(q, a, unit(a))));
       else
-        w = cell_gradient<L>(scene, I, q, a, {});
-      sum += w * w;
+        sum += square(cell_gradient<L>(scene, I, q, a, {}));
     }
     if constexpr (L::has_u)
       return sum;
     else
-      return slip_squared_of_gradient<L>(scene, q(L::nu), sum);
+      return slip_squared_of_gradient(scene, q(L::nu), sum);
   }
 }
 
@@ -139,16 +136,15 @@ auto face_slip_squared(const Scene& scene, const Index& I, const Q& q, int axis,
   if constexpr (!L::has_gas) {
     return 0.0;
   } else if constexpr (!L::has_u) {
-    return slip_squared_of_gradient<L>(scene, nu, Number(pressure_gradient_squared<L>(scene, I, q, axis, Index{})));
+    return slip_squared_of_gradient(scene, nu, pressure_gradient_squared<L>(scene, I, q, axis, Index{}));
   } else {
-    const Number own = gas_slip<L>(q, axis, {});
-    Number sum = own * own;
+    typename Q::Number sum = square(gas_slip<L>(q, axis, {}));
     for (int b = 0; b < L::dim; ++b) {
       if (b == axis) continue;
-      Number w(0.0);
+      typename Q::Number w(0.0);
       for (int side = 0; side < 2; ++side)
         for (int back = 0; back < 2; ++back) w += 0.25 * gas_slip<L>(q, b, side * unit(b) - back * unit(axis));
-      sum += w * w;
+      sum += square(w);
     }
     return sum;
   }
@@ -176,36 +172,36 @@ constexpr void add_edge_slip_inputs(StencilBuilder& s, int a, int b) {
   }
 }
 
-/// `before` moves a face of an axis, relative to the anchor, from beyond a side that the edge lies on to before it.
+/// `before` moves a face of an axis, relative to the anchor, from beyond a side that the edge lies on to before it, for
+/// the conditions there; inputs are read there anyway.
 template <class L, class Q, class Number, class Before>
 auto edge_slip_squared(const Scene& scene, const Index& I, const Q& q, int a, int b, const Number& nu,
                        Before&& before) {
   if constexpr (!L::has_gas) {
     return 0.0;
   } else {
-    Number sum(0.0);
+    typename Q::Number sum(0.0);
     const auto component = [&](int axis, const Index& face) {
-      const Index at = before(axis, face);
       if constexpr (L::has_u)
-        return Number(gas_slip<L>(q, axis, at));
+        return gas_slip<L>(q, axis, face);
       else
-        return Number(pressure_gradient<L>(scene, I, q, axis, at));
+        return pressure_gradient<L>(scene, I, q, axis, before(axis, face));
     };
     for (int c = 0; c < L::dim; ++c) {
-      Number w(0.0);
+      typename Q::Number w(0.0);
       if (c == a || c == b) {
         const Index across = unit(c == a ? b : a);
-        w = 0.5 * (component(c, Index{}) + component(c, Index{} - across));
+        w += 0.5 * (component(c, Index{}) + component(c, Index{} - across));
       } else {
         for (const Index& cell : {-1 * unit(a) - unit(b), Index{} - unit(b), Index{} - unit(a), Index{}})
           w += 0.125 * (component(c, cell) + component(c, cell + unit(c)));
       }
-      sum += w * w;
+      sum += square(w);
     }
     if constexpr (L::has_u)
       return sum;
     else
-      return slip_squared_of_gradient<L>(scene, nu, sum);
+      return slip_squared_of_gradient(scene, nu, sum);
   }
 }
 

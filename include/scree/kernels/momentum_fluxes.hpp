@@ -51,6 +51,18 @@ struct GasPhase {
   static constexpr bool enters_from_rest = true;  // through open sides, from still gas outside
 };
 
+/// limited_upwind with the velocities as they stand among the inputs of a kernel.
+template <class Flux, class Far, class Value>
+[[gnu::always_inline]] inline auto carried_with_slope(const Flux& F, const Far& far_below, const Value& below,
+                                                      const Value& above, const Far& far_above,
+                                                      const AdvectionMetrics& h) {
+  return through(
+      [&](const auto& far_below_, const auto& below_, const auto& above_, const auto& far_above_) {
+        return limited_upwind(value_of(F), far_below_, below_, above_, far_above_, h);
+      },
+      far_below, below, above, far_above);
+}
+
 /// Momentum `axis` carried along the same axis. Anchor I: the centre of cell I, between its two `axis` faces.
 template <class Phase, int axis>
 struct NormalMomentumFlux {
@@ -84,23 +96,13 @@ struct NormalMomentumFlux {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<NormalMomentumFlux, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<NormalMomentumFlux, Number>& q,
+                                        std::array<Number, count>& r) {
     using Balance = typename Phase::Balance;
     const double rho = Phase::density(scene);
     const Number F = 0.5 * (Phase::flux(scene, I, q, axis, {}) + Phase::flux(scene, I, q, axis, e));
-    const Number &below = q(Phase::velocity(axis)), &above = q(Phase::velocity(axis), e);
-    Number carried;
-    if constexpr (Phase::second_order) {
-      const AdvectionMetrics h = face_metrics(scene, axis, I, scene.barrier(axis, I), scene.barrier(axis, I + e));
-      Number far_below = q(Phase::velocity(axis), -1 * e), far_above = q(Phase::velocity(axis), 2 * e);
-      // What comes in is given at the face: the line through both goes on beyond it.
-      if (comes_in(scene, I)) far_below = 2.0 * below - above;
-      if (comes_in(scene, I + e)) far_above = 2.0 * above - below;
-      carried = limited_upwind(F, far_below, below, above, far_above, h);
-    } else {
-      carried = upwind(F, below, above);
-    }
+    const auto below = q(Phase::velocity(axis)), above = q(Phase::velocity(axis), e);
+    const auto carried = carried_by(scene, I, q, F, below, above);
     r[0] += out_of_control_volume(scene, axis, I, End::upper, Balance::advection(rho, F, carried, below));
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, Balance::advection(rho, F, carried, above));
     if constexpr (Phase::enters_from_rest) {
@@ -118,10 +120,25 @@ struct NormalMomentumFlux {
   }
 
  private:
-  static bool comes_in(const Scene& scene, const Index& face) {
+  /// The velocity that the flux F carries through the middle of the cell.
+  template <class Q, class Flux, class Value>
+  static auto carried_by(const Scene& scene, const Index& I, const Q& q, const Flux& F, const Value& below,
+                         const Value& above) {
+    if constexpr (Phase::second_order) {
+      const AdvectionMetrics h = face_metrics(scene, axis, I, scene.barrier(axis, I), scene.barrier(axis, I + e));
+      auto far_below = 2.0 * below - above, far_above = 2.0 * above - below;
+      // What comes in is given at the face: the line through both goes on beyond it.
+      if (!comes_in(scene, I)) far_below = q(Phase::velocity(axis), -1 * e);
+      if (!comes_in(scene, I + e)) far_above = q(Phase::velocity(axis), 2 * e);
+      return carried_with_slope(F, far_below, below, above, far_above, h);
+    } else {
+      return Value(upwind(F, below, above));
+    }
+  }
+  [[gnu::noinline]] static bool comes_in(const Scene& scene, const Index& face) {
     return scene.barrier(axis, face) && Phase::brings(scene.kind(axis, face));
   }
-  static bool lets_in_from_rest(const Scene& scene, const Index& face) {
+  [[gnu::noinline]] static bool lets_in_from_rest(const Scene& scene, const Index& face) {
     if (!scene.barrier(axis, face)) return false;
     const Condition& condition = scene.condition(axis, face);
     return condition.kind.open_to_gas() && condition.gas_enters_at_rest;
@@ -175,19 +192,19 @@ struct CrossMomentumFlux {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
+                                        std::array<Number, count>& r) {
     using Balance = typename Phase::Balance;
     const double rho = Phase::density(scene);
-    const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
+    const auto below = q(Phase::velocity(axis), -1 * b), above = q(Phase::velocity(axis));
     if (!scene.inside(I - b)) {
-      r[1] -= out_of_cell(scene, across, I, End::lower, Number(rho * brought_in(scene, I, q, above)));
+      r[1] -= out_of_cell(scene, across, I, End::lower, rho * brought_in(scene, I, q, above));
     } else if (!scene.inside(I)) {
-      r[0] += out_of_cell(scene, across, I - b, End::upper, Number(rho * brought_in(scene, I, q, below)));
+      r[0] += out_of_cell(scene, across, I - b, End::upper, rho * brought_in(scene, I, q, below));
     } else {
       const Number F =
           face_mean(scene, axis, I, Phase::flux(scene, I, q, across, -1 * a), Phase::flux(scene, I, q, across, {}));
-      const Number v = carried(scene, I, q, F);
+      const auto v = carried(scene, I, q, F);
       r[0] += out_of_cell(scene, across, I - b, End::upper, Balance::advection(rho, F, v, below));
       r[1] -= out_of_cell(scene, across, I, End::lower, Balance::advection(rho, F, v, above));
     }
@@ -196,12 +213,12 @@ struct CrossMomentumFlux {
  private:
   /// F (v - own) through a side of the box, `own` being the velocity before it: each half of the face brings the
   /// velocity of its own condition, and what leaves takes that of the box along.
-  template <class Number>
-  static Number brought_in(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
-                           const Number& own) {
+  template <class Number, class Value>
+  [[gnu::noinline]] static Number brought_in(const Scene& scene, const Index& I,
+                                             const Local<CrossMomentumFlux, Number>& q, const Value& own) {
     const auto half = [&](const Index& at) {
       const Condition& condition = scene.condition(across, I + at);
-      const Number F = Phase::flux(scene, I, q, across, at);
+      const auto F = Phase::flux(scene, I, q, across, at);
       const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
       if (!inflow || !Phase::brings(condition.kind)) return Number(0.0);
       return Number(F * (Phase::brought(scene, axis, across, I + at) - own));
@@ -210,29 +227,28 @@ struct CrossMomentumFlux {
   }
 
   /// Whether both halves of the edge's side at `face` bring in a velocity of their own.
-  static bool comes_in(const Scene& scene, const Index& face) {
+  [[gnu::noinline]] static bool comes_in(const Scene& scene, const Index& face) {
     const auto brings = [&](const Index& half) {
       return scene.barrier(across, half) && Phase::brings(scene.kind(across, half));
     };
     return brings(face) && brings(face - a);
   }
-  static double brought_at(const Scene& scene, const Index& face) {
+  [[gnu::noinline]] static double brought_at(const Scene& scene, const Index& face) {
     return face_mean(scene, axis, face, Phase::brought(scene, axis, across, face - a),
                      Phase::brought(scene, axis, across, face));
   }
   /// The velocity that the flux F carries between two cells.
-  template <class Number>
-  static Number carried(const Scene& scene, const Index& I, const Local<CrossMomentumFlux, Number>& q,
-                        const Number& F) {
-    const Number &below = q(Phase::velocity(axis), -1 * b), &above = q(Phase::velocity(axis));
+  template <class Q, class Flux>
+  static auto carried(const Scene& scene, const Index& I, const Q& q, const Flux& F) {
+    const auto below = q(Phase::velocity(axis), -1 * b), above = q(Phase::velocity(axis));
     if constexpr (Phase::second_order) {
       AdvectionMetrics h = cell_metrics(scene, across, I);
-      Number far_below = q(Phase::velocity(axis), -2 * b), far_above = q(Phase::velocity(axis), b);
-      if (comes_in(scene, I - b)) far_below = Number(brought_at(scene, I - b)), h.far_lower = h.lower_reach;
-      if (comes_in(scene, I + b)) far_above = Number(brought_at(scene, I + b)), h.far_upper = h.upper_reach;
-      return limited_upwind(F, far_below, below, above, far_above, h);
+      auto far_below = q(Phase::velocity(axis), -2 * b), far_above = q(Phase::velocity(axis), b);
+      if (comes_in(scene, I - b)) far_below = brought_at(scene, I - b), h.far_lower = h.lower_reach;
+      if (comes_in(scene, I + b)) far_above = brought_at(scene, I + b), h.far_upper = h.upper_reach;
+      return carried_with_slope(F, far_below, below, above, far_above, h);
     } else {
-      return upwind(F, below, above);
+      return std::decay_t<decltype(below)>(upwind(F, below, above));
     }
   }
 };

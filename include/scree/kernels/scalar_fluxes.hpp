@@ -7,25 +7,31 @@
 
 namespace scree {
 
+/// The same at a barrier, of the values of the cells about it.
+template <class Number>
+[[gnu::noinline]] Number carried_through_barrier(const Scene& scene, int axis, const Index& I, const Unknown& unknown,
+                                                 double flux, const Number& below, const Number& above) {
+  const Condition& condition = scene.condition(axis, I);
+  const bool box_is_above = box_above(scene, axis, I);
+  const bool inflow = box_is_above ? flux >= 0.0 : flux < 0.0;
+  if (inflow && condition.kind.brings_solids()) return Number(condition.brought(unknown));
+  return box_is_above ? above : below;
+}
+
 /// Value of a scalar of the particles that the volume flux F carries through the lower `axis` face of I: upstream of
 /// it, or what the condition brings in.
-template <class L, bool SecondOrder, class Balance, class Number, class Q>
-[[gnu::always_inline]] inline Number carried(const Scene& scene, const Index& I, const Q& q, int axis,
-                                             const Number& F) {
+template <class L, bool SecondOrder, class Balance, class Q, class Flux>
+[[gnu::always_inline]] inline auto carried(const Scene& scene, const Index& I, const Q& q, int axis, const Flux& F) {
+  using Value = typename Q::template Few<carried_terms(SecondOrder)>;
   constexpr int component = L::template first<Balance>();
   const Index e = unit(axis);
-  const Number &below = q(component, -1 * e), &above = q(component);
-  if (scene.barrier(axis, I)) {
-    const Condition& condition = scene.condition(axis, I);
-    const bool box_is_above = box_above(scene, axis, I);
-    const bool inflow = box_is_above ? F >= 0.0 : F < 0.0;
-    if (inflow && condition.kind.brings_solids()) return Number(condition.brought(Balance::unknown));
-    return box_is_above ? above : below;
-  }
+  const auto below = q(component, -1 * e), above = q(component);
+  if (scene.barrier(axis, I))
+    return Value(carried_through_barrier(scene, axis, I, Balance::unknown, value_of(F), below, above));
   if constexpr (SecondOrder) {
-    return carried_through(scene, axis, I, Balance::unknown, F, q(component, -2 * e), below, above, q(component, e));
+    return Value(carried_input(scene, axis, I, Balance::unknown, value_of(F), q, component, Index{}));
   } else {
-    return upwind(F, below, above);
+    return Value(upwind(F, below, above));
   }
 }
 
@@ -74,8 +80,8 @@ struct ScalarFluxes {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q,
+                                        std::array<Number, count>& r) {
     const Number F = solids_flux<L, SecondOrder>(scene, I, q, axis, {});
     r[0] += out_of_cell(scene, axis, I - e, End::upper, F);
     r[1] -= out_of_cell(scene, axis, I, End::lower, F);
@@ -85,9 +91,9 @@ struct ScalarFluxes {
       const Number T = carried<L, SecondOrder, GranularEnergy>(scene, I, q, axis, F);
       const Number conducted = heat_flux(scene, I, q);
       r[T_row] += out_of_cell(scene, axis, I - e, End::upper,
-                              Number(GranularEnergy::advection(rho_s, F, T, q(L::T, -1 * e)) + conducted));
+                              GranularEnergy::advection(rho_s, F, T, q(L::T, -1 * e)) + conducted);
       r[T_row + 1] -=
-          out_of_cell(scene, axis, I, End::lower, Number(GranularEnergy::advection(rho_s, F, T, q(L::T)) + conducted));
+          out_of_cell(scene, axis, I, End::lower, GranularEnergy::advection(rho_s, F, T, q(L::T)) + conducted);
     }
     if constexpr (L::has_chi) {
       const Number chi = carried<L, SecondOrder, FrictionRelaxation>(scene, I, q, axis, F);
@@ -102,11 +108,11 @@ struct ScalarFluxes {
   template <class Number>
   static Number heat_flux(const Scene& scene, const Index& I, const Local<ScalarFluxes, Number>& q) {
     if (scene.barrier(axis, I)) return Number(0.0);
-    const Number &below = q(L::T, -1 * e), &above = q(L::T);
-    const Number nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
-    const Number T_face = face_mean(scene, axis, I, below, above);
+    const auto below = q(L::T, -1 * e), above = q(L::T);
+    const auto nu_face = face_mean(scene, axis, I, q(L::nu, -1 * e), q(L::nu));
+    const auto T_face = face_mean(scene, axis, I, below, above);
     const auto slip_squared = face_slip_squared<L>(scene, I, q, axis, nu_face);
-    const Number kappa = through(
+    const auto kappa = through(
         [&](const auto& nu, const auto& T, const auto& slip_) { return face_conductivity(nu, T, slip_, scene.solids); },
         nu_face, T_face, slip_squared);
     return GranularEnergy::conduction(kappa, difference_at_face(scene, axis, I, below, above));

@@ -34,9 +34,11 @@ Number slope_in_cell(const Scene& scene, int axis, const Index& cell, End end, c
 
 /// The value of a quantity of the particles that a flow carries through the lower `axis` face of I, which is no
 /// barrier, to second order. `far_lower` to `far_upper`: its values in the cells I - 2 to I + 1 along the axis.
-template <class Flow, class Number>
-Number carried_through(const Scene& scene, int axis, const Index& I, const Unknown& unknown, const Flow& flow,
-                       const Number& far_lower, const Number& lower, const Number& upper, const Number& far_upper) {
+template <class Number>
+[[gnu::flatten, gnu::noinline]] Number carried_through(const Scene& scene, int axis, const Index& I,
+                                                       const Unknown& unknown, double flow, const Number& far_lower,
+                                                       const Number& lower, const Number& upper,
+                                                       const Number& far_upper) {
   const AdvectionMetrics h = cell_metrics(scene, axis, I);
   const auto slope = [&](const Index& cell, End end, const Number& own, const Number& far, double far_distance,
                          const Number& middle) {
@@ -48,28 +50,44 @@ Number carried_through(const Scene& scene, int axis, const Index& I, const Unkno
       [&](const Number& middle) { return slope(I, End::lower, upper, far_upper, h.far_upper, middle); });
 }
 
+/// The same with the values as they stand among the inputs of a kernel.
+template <class Q>
+[[gnu::always_inline]] inline auto carried_input(const Scene& scene, int axis, const Index& I, const Unknown& unknown,
+                                                 double flow, const Q& q, int component, const Index& at) {
+  const Index e = unit(axis);
+  return through([&](const auto&... value) { return carried_through(scene, axis, I, unknown, flow, value...); },
+                 q(component, at - 2 * e), q(component, at - e), q(component, at), q(component, at + e));
+}
+/// On how many inputs the value that is carried depends.
+constexpr int carried_terms(bool second_order) { return second_order ? 4 : 1; }
+
+/// nu v at the lower `axis` face of I, a barrier: 0 at walls; through sides the upstream value of cell or condition.
+template <class Number>
+[[gnu::noinline]] auto flux_through_barrier(const Scene& scene, int axis, const Index& I, const Number& v,
+                                            const Number& below, const Number& above) {
+  using Flux = decltype(SolidsContinuity::flux(v, above));
+  const Condition& condition = scene.condition(axis, I);
+  if (condition.kind.stops_solids()) return Flux(0.0);
+  const bool box_is_above = box_above(scene, axis, I);
+  const bool inflow = box_is_above ? v >= 0.0 : v < 0.0;
+  if (!inflow) return SolidsContinuity::flux(v, box_is_above ? above : below);
+  return Flux(v * (condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0));
+}
+
 /// nu v at the lower `axis` face of I + at [m/s]: 0 at walls; through sides the upstream value of cell or condition.
 template <class L, bool SecondOrder, class Q>
 [[gnu::always_inline]] inline auto solids_flux(const Scene& scene, const Index& I, const Q& q, int axis,
                                                const Index& at) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
+  using Flux = typename Q::template Few<1 + carried_terms(SecondOrder)>;
   const Index e = unit(axis), face = I + at;
-  const Number& v = q(L::v(axis), at);
-  if (scene.barrier(axis, face)) {
-    const Condition& condition = scene.condition(axis, face);
-    if (condition.kind.stops_solids()) return Number(0.0);
-    const double brought = condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0;
-    const bool above = box_above(scene, axis, face);
-    const bool inflow = above ? v >= 0.0 : v < 0.0;
-    return inflow ? Number(v * brought) : SolidsContinuity::flux(v, q(L::nu, above ? at : at - e));
-  }
-  if constexpr (SecondOrder) {
-    return SolidsContinuity::flux(
-        v, carried_through(scene, axis, face, SolidsContinuity::unknown, v, q(L::nu, at - 2 * e), q(L::nu, at - e),
-                           q(L::nu, at), q(L::nu, at + e)));
-  } else {
-    return SolidsContinuity::flux(v, upwind(v, q(L::nu, at - e), q(L::nu, at)));
-  }
+  const auto v = q(L::v(axis), at);
+  if (scene.barrier(axis, face))
+    return Flux(flux_through_barrier(scene, axis, face, v, q(L::nu, at - e), q(L::nu, at)));
+  if constexpr (SecondOrder)
+    return Flux(SolidsContinuity::flux(
+        v, carried_input(scene, axis, face, SolidsContinuity::unknown, value_of(v), q, L::nu, at)));
+  else
+    return Flux(SolidsContinuity::flux(v, upwind(v, q(L::nu, at - e), q(L::nu, at))));
 }
 
 /// Where a cell-centred input at `from` + reach e_axis (reach -2 ... 1 about the lower face of anchor + from) is read:

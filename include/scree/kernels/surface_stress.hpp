@@ -51,7 +51,7 @@ Number resting_excess(const Number& p_c, const Number& weight, const Number& p_c
 /// What lies over cell I against gravity: what may fall in [-]. A wall over the cell leaves no surface.
 template <class L, class Q>
 auto solids_fraction_above(const Scene& scene, const Index& I, const Q& q, int axis) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
+  using Number = decltype(q(L::nu));
   const Index e = unit(axis);
   const int up = scene.gravity[axis] < 0 ? 1 : -1;
   const Index face = up > 0 ? I + e : I;
@@ -60,27 +60,27 @@ auto solids_fraction_above(const Scene& scene, const Index& I, const Q& q, int a
     if (condition.kind.stops_solids()) return q(L::nu);
     return Number(condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0);
   }
-  const Number& above = q(L::nu, up * e);
+  const Number above = q(L::nu, up * e);
   return above > 0.0 ? above : Number(0.0);
 }
 
 /// sigma of cell I along `axis` [Pa].
 template <class L, class Q>
 auto surface_stress(const Scene& scene, const Index& I, const Q& q, int axis) {
-  using Number = std::decay_t<decltype(q(L::nu))>;
   const double g = scene.gravity[axis];
-  const Number compression = q(L::v(axis)) - q(L::v(axis), unit(axis));
-  const Number& own = q(L::nu);
-  if (g == 0 || !(compression > 0.0)) return Number(0.0);
-  const Number above = solids_fraction_above<L>(scene, I, q, axis);
-  if (!(own > above)) return Number(0.0);
-  constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
-  const Number dense = own * own / (own * own + dilute * dilute);
-  const Number weight = half_weight(scene, I, axis, Number(dense * (own - above)));
-  const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
-  constexpr double soft = 0.1;
-  const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
-  return Number(weight * surface_share(own, above) * closing);
+  const auto sigma = [&](const auto& compression, const auto& own, const auto& above) {
+    using Number = std::decay_t<decltype(own)>;
+    if (g == 0 || !(compression > 0.0) || !(own > above)) return Number(0.0);
+    constexpr double dilute = 1e-3;  // solids fraction; voids and thin rain are no surfaces
+    const Number dense = own * own / (own * own + dilute * dilute);
+    const Number weight = half_weight(scene, I, axis, Number(dense * (own - above)));
+    const double v_c = 1e-4 * std::sqrt(std::abs(g) * scene.solids.kinetic.d);
+    constexpr double soft = 0.1;
+    const Number closing = rounded_maximum(Number((1 + soft) / v_c * compression), soft, soft) - soft;
+    return Number(weight * surface_share(own, above) * closing);
+  };
+  return through(sigma, q(L::v(axis)) - q(L::v(axis), unit(axis)), q(L::nu),
+                 solids_fraction_above<L>(scene, I, q, axis));
 }
 
 /// Anchor I: cell I.
@@ -105,9 +105,9 @@ struct SurfaceStress {
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
-                       std::array<Number, count>& r) {
-    const Number sigma = surface_stress<L>(scene, I, q, axis);
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<SurfaceStress, Number>& q,
+                                        std::array<Number, count>& r) {
+    const auto sigma = surface_stress<L>(scene, I, q, axis);
     r[0] += out_of_control_volume(scene, axis, I, End::upper, sigma);
     r[1] -= out_of_control_volume(scene, axis, I + e, End::lower, sigma);
   }

@@ -99,7 +99,8 @@ struct WallLaws {
     const double g = scene.gravity[axis];
     const bool floor = g != 0 && (g < 0) == (end == End::lower);
     if (!floor) return p;
-    return pressure_on_floor(p, surface_stress<L>(scene, I, q, axis), half_weight(scene, I, axis, q(L::nu)));
+    return pressure_on_floor(p, Number(surface_stress<L>(scene, I, q, axis)),
+                             half_weight(scene, I, axis, Number(q(L::nu))));
   }
 
   /// The same without the weight of thin layers: pressure_at_wall, unless there is no next cell.
@@ -117,8 +118,11 @@ struct WallLaws {
   template <class Number>
   static Number nu_at_wall(const Scene& scene, const Index& I, const Local<WallLaws, Number>& q, int axis, End end) {
     if (is_alone(scene, I, axis, end)) return q(L::nu);
-    return solids_fraction_at_wall(q(L::nu), q(L::nu, inward(axis, end)), scene.solids.kinetic.nu_max,
-                                   to_wall(scene, I, axis, end));
+    return through(
+        [&](const auto& nu, const auto& next) {
+          return solids_fraction_at_wall(nu, next, scene.solids.kinetic.nu_max, to_wall(scene, I, axis, end));
+        },
+        q(L::nu), q(L::nu, inward(axis, end)));
   }
 
   /// From the cell to the next one away from the wall.
@@ -237,7 +241,7 @@ struct WallLaws {
                       const Strain& strain, const Condition& wall, std::array<Number, count>& r) {
     const FrictionParameters& friction = scene.solids.friction;
     const Number p_c = friction.model->has_friction
-                           ? at_wall(scene, I, q, axis, end, critical_pressure(q(L::nu), friction))
+                           ? at_wall(scene, I, q, axis, end, Number(critical_pressure(q(L::nu), friction)))
                            : Number(0.0);
     const auto gas_slip_squared = cell_slip_squared<L>(scene, I, q);
     const double h = scene.distance_to_face(axis, I);

@@ -1,13 +1,10 @@
-/// Forward-mode dual numbers, and `through`, which differentiates an expensive function with respect to its few
-/// arguments and chains the result to the many unknowns these depend on.
+/// Forward-mode dual numbers.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
-#include <utility>
 
 namespace scree {
 
@@ -244,65 +241,5 @@ template <class T>
 struct IsDual : std::false_type {};
 template <int n>
 struct IsDual<Dual<n>> : std::true_type {};
-
-/// The number type of an expression of all Z: the Dual among them, or double.
-template <class... Z>
-struct CommonNumber {
-  using Type = double;
-};
-template <class First, class... Rest>
-struct CommonNumber<First, Rest...> {
-  using Type = std::conditional_t<IsDual<First>::value, First, typename CommonNumber<Rest...>::Type>;
-};
-
-/// Chain rule: `inner` as a function of m intermediate numbers `*outer[0..m-1]`, themselves functions of N unknowns.
-template <int m, int N>
-Dual<N> chain(const Dual<m>& inner, const Dual<N>* const* outer) {
-  Dual<N> result;
-  result.value = inner.value;
-  constexpr int stored = Dual<N>::stored;
-  std::array<double, stored> sum;  // local: the compiler need not fear that it overlaps with *outer
-  for (int j = 0; j < stored; ++j) {
-    double derivative = inner.derivative[0] * outer[0]->derivative[j];
-    for (int i = 1; i < m; ++i) derivative += inner.derivative[i] * outer[i]->derivative[j];
-    sum[j] = derivative;
-  }
-  result.derivative = sum;
-  return result;
-}
-template <int m, int N, std::size_t count>
-std::array<Dual<N>, count> chain(const std::array<Dual<m>, count>& inner, const Dual<N>* const* outer) {
-  std::array<Dual<N>, count> result;
-  for (std::size_t i = 0; i < count; ++i) result[i] = chain(inner[i], outer);
-  return result;
-}
-
-/// f(z...) with derivatives, f being evaluated with as many derivatives as there are Duals among its arguments and not
-/// with as many as there are unknowns. f takes one number type and returns a number or a std::array of numbers, e.g.
-///     auto [pressure, viscosity] = through([&](const auto& nu, const auto& T) { return f(nu, T, parameters); }, nu,
-///     T);
-/// Plain doubles among the arguments are constants; if all are, this is f(z...).
-template <class Function, class... Z>
-auto through(Function&& f, const Z&... z) {
-  using Number = typename CommonNumber<Z...>::Type;
-  if constexpr (std::is_same_v<Number, double>) {
-    return f(static_cast<double>(z)...);
-  } else {
-    constexpr int m = (0 + ... + int{IsDual<Z>::value});
-    std::array<const Number*, m> outer;
-    int next = 0;
-    const auto seed = [&](const auto& x) {
-      if constexpr (IsDual<std::decay_t<decltype(x)>>::value) {
-        static_assert(std::is_same_v<std::decay_t<decltype(x)>, Number>, "arguments with different unknowns");
-        outer[static_cast<std::size_t>(next)] = &x;
-        return Dual<m>::variable(x.value, next++);
-      } else {
-        return Dual<m>(x);
-      }
-    };
-    const std::array<Dual<m>, sizeof...(Z)> inner{seed(z)...};  // braces: in the order of the arguments
-    return chain(std::apply(f, inner), outer.data());
-  }
-}
 
 }  // namespace scree

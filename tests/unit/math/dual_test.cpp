@@ -1,10 +1,10 @@
-#include "scree/math/dual.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "scree/math/through.hpp"
 
 namespace scree {
 namespace {
