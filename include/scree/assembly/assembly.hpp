@@ -2,6 +2,8 @@
 /// layouts that use it.
 #pragma once
 
+#include <utility>
+
 #include "scree/assembly/entries.hpp"
 #include "scree/assembly/kernel.hpp"
 #include "scree/assembly/scene.hpp"

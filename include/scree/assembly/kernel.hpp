@@ -13,8 +13,8 @@
 ///
 /// An input is a number of one term, and what is made of few inputs one of few terms (math/sparse_dual.hpp): `auto`
 /// keeps it so, `Number` makes it one that may depend on all. Where an input stands is known when a kernel is compiled,
-/// provided that all of evaluate is inlined: it is marked [[gnu::flatten]], and what happens beside barriers alone is a
-/// function of its own, [[gnu::noinline]].
+/// provided that all of evaluate is inlined: that of kernels at every cell is marked [[gnu::flatten]], and what happens
+/// beside barriers alone is a function of its own, [[gnu::noinline]].
 #pragma once
 
 #include <algorithm>

@@ -39,6 +39,7 @@ struct StrainComponents {
     add(component.value, its_weight);
   }
 
+  /// S:S without derivatives [1/s2].
   double square_value() const { return square_; }
   /// S:S [1/s2].
   Number square() const {
@@ -47,7 +48,7 @@ struct StrainComponents {
     else
       return square_;
   }
-  /// S:S with the derivative factor Pi:dS.
+  /// S:S with factor Pi:dS for its derivative.
   Number square_along(double factor, const double* Pi) const {
     Number result(square_);
     for (std::size_t i = 0; i < term_count_; ++i) {

@@ -6,6 +6,7 @@
 #include "scree/boundary/barriers.hpp"
 #include "scree/closures/voids.hpp"
 #include "scree/grid/metrics.hpp"
+#include "scree/math/through.hpp"
 
 namespace scree {
 

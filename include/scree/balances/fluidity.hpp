@@ -43,8 +43,8 @@ struct Fluidity {
   /// t_0 [s].
   static double capacity(const Scene& scene) { return scene.solids.friction.fluidity.t_0; }
   /// nu A^2 d^2 [m2].
-  template <class X, class Y>
-  static auto conductivity(const Scene& scene, const X& nu, const Y&) {
+  template <class Number>
+  static Number conductivity(const Scene& scene, const Number& nu, const Number&) {
     return fluidity_spreading(scene.solids.friction.d, scene.solids.friction.fluidity) * nu;
   }
   /// nu {-mu_s g_f + gdot (1 - b d sqrt(rho_s/p_f) g_f)} at a ScalarPoint [1/s].
@@ -61,8 +61,8 @@ struct Fluidity {
         at.phi, at.nu, Number(at.chi), at.S_S);
   }
   /// What comes from a wall that holds g_f, at a distance from the centre of the cell [m/s].
-  template <class X, class Y>
-  static auto from_wall(const Scene& scene, const X& nu, const Y& g_f, double distance) {
+  template <class Number>
+  static Number from_wall(const Scene& scene, const Number& nu, const Number& g_f, double distance) {
     return conductivity(scene, nu, g_f) * (scene.solids.friction.fluidity.at_rough - g_f) / distance;
   }
 };

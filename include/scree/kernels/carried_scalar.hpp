@@ -46,8 +46,8 @@ struct CarriedScalarFlux {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarFlux, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarFlux, Number>& q,
+                                        std::array<Number, count>& r) {
     const Number F = scree::solids_flux<L, SecondOrder>(scene, I, q, axis, {});
     const Number value = carried<L, SecondOrder, Scalar>(scene, I, q, axis, F);
     const auto below = q(phi, -1 * e), above = q(phi);
@@ -85,8 +85,8 @@ struct CarriedScalarSource {
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarSource, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<CarriedScalarSource, Number>& q,
+                                        std::array<Number, count>& r) {
     const auto strain = cell_strain<L>(scene, I, q);
     const auto nu = q(L::nu);
     const auto stored = nu + added_in_voids(scene, nu);

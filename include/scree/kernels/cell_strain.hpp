@@ -112,8 +112,8 @@ struct CellStrain {
 
   /// S:S of the normal components alone [1/s2].
   Number normal_square() const {
-    Number sum = -(div_v * div_v) / 3.0;
-    for (const auto& component : D) sum += component * component;
+    Number sum = -square(div_v) / 3.0;
+    for (const auto& component : D) sum += square(component);
     return sum;
   }
   /// S_aa [1/s].

@@ -1,6 +1,8 @@
 /// Shear stress on the edges of cells, for both momentum balances that it acts on.
 #pragma once
 
+#include <utility>
+
 #include "scree/kernels/cell_strain.hpp"
 #include "scree/kernels/surface_stress.hpp"
 
@@ -184,9 +186,7 @@ struct EdgeStress {
       if (scene.near && on_side_of_axis(scene, axis, I))
         D[axis] = normal_before_side(scene, I, q, axis);
       else
-        D[axis] = mean(scene, I, [&](const Index& cell) [[gnu::always_inline]] {
-          return normal_in_cell(scene, I, q, axis, cell);
-        });
+        D[axis] = mean(scene, I, [&](const Index& cell) { return normal_in_cell(scene, I, q, axis, cell); });
       S.add(D[axis], 1);
       if constexpr (L::dim > 2)
         if (axis != a && axis != b) add_other_shear(scene, I, q, axis, S);
@@ -209,18 +209,16 @@ struct EdgeStress {
                 [&](const Index& cell) { return normal_in_cell(scene, I, q, axis, before_side(I, axis, cell)); });
   }
 
-  /// The most components of S at an edge: D_ab, D_aa, div v and D_ac, D_bc on the edges about.
+  /// The most components of S at an edge, D_ab, D_aa, div v and D_ac, D_bc on the edges about, and of their
+  /// derivatives.
   static constexpr std::size_t component_count = L::dim + 2 + (L::dim > 2 ? 8 : 0);
   static constexpr std::size_t term_count = 4 + 16 * L::dim + (L::dim > 2 ? 32 : 0);
   template <class Number>
   using Strain = StrainComponents<Number, component_count, term_count>;
 
-  [[gnu::noinline]] static bool barrier_before_side(const Scene& scene, const Index& I, int c, const Index& at) {
-    return scene.barrier(c, I + before_sides(scene, I, at));
-  }
   /// Whether a barrier is on the lower `c` face of cell I + at, or of the cell before the side that the edge lies on.
-  static bool shut(const Scene& scene, const Index& I, int c, const Index& at) {
-    return scene.near && barrier_before_side(scene, I, c, at);
+  [[gnu::noinline]] static bool shut(const Scene& scene, const Index& I, int c, const Index& at) {
+    return scene.barrier(c, I + before_sides(scene, I, at));
   }
 
   static constexpr int none = -1;
@@ -239,7 +237,7 @@ struct EdgeStress {
     for (int side = 0; side < 2; ++side)
       for (int back = 0; back < 2; ++back) {
         const auto add = [&](int axis, const Index& at) {
-          if (shut(scene, I, c, at) || shut(scene, I, c, at - unit(axis))) return;
+          if (scene.near && (shut(scene, I, c, at) || shut(scene, I, c, at - unit(axis)))) return;
           S.add(shear_rate<L>(scene, I, q, axis, c, at), 0.5);
         };
         add(a, side * unit(c) - back * e_b);

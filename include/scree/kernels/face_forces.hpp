@@ -38,20 +38,15 @@ struct FaceForces {
   [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<FaceForces, Number>& q,
                                         std::array<Number, count>& r) {
     const double rho_s = scene.solids.kinetic.rho_s, rho_g = L::has_gas ? scene.gas().rho_g : 0;
-    const auto add = [&](const auto& nu) {
-      const auto floor = added_in_voids(scene, nu);
-      r[0] += SolidsMomentum::inertia(rho_s, nu + floor, q.dot(L::v(axis))) -
-              SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
-      if constexpr (!L::has_u)
-        r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
-    };
-    const auto nu = before_step<L>(scene, I, q);
+    Number nu = before_step<L>(scene, I, q);
     if (scene.on_side(axis, I)) {
       const double outwards = box_above(scene, axis, I) ? -1 : 1;
-      add(nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis))))));
-    } else {
-      add(nu);
+      nu = nu * (1.0 + filled_beyond(scene, Number(outwards * q(L::v(axis)))));
     }
+    const Number floor = added_in_voids(scene, nu);
+    r[0] += SolidsMomentum::inertia(rho_s, nu + floor, q.dot(L::v(axis))) -
+            SolidsMomentum::weight(rho_s - rho_g, scene.gravity[axis], nu);
+    if constexpr (!L::has_u) r[0] += SolidsMomentum::void_drag(rho_s, scene.model.void_drag_time, floor, q(L::v(axis)));
   }
 
  private:

@@ -36,8 +36,8 @@ struct GasForces {
   static Reference resolve(const Scene&, const Index&, const Input& input) { return {input.offset, 1}; }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<GasForces, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<GasForces, Number>& q,
+                                        std::array<Number, count>& r) {
     const auto nu = face_solids_fraction<L>(scene, I, q, axis, Index{});
     const auto gradient = pressure_gradient<L>(scene, I, q, axis, Index{});
     if constexpr (L::has_u) {

@@ -28,8 +28,8 @@ struct GasVolumeFlux {
   }
 
   template <class Number, std::size_t count>
-  static void evaluate(const Scene& scene, const Index& I, const Local<GasVolumeFlux, Number>& q,
-                       std::array<Number, count>& r) {
+  [[gnu::flatten]] static void evaluate(const Scene& scene, const Index& I, const Local<GasVolumeFlux, Number>& q,
+                                        std::array<Number, count>& r) {
     const Number flux = solids_flux<L, SecondOrder>(scene, I, q, axis, {}) + gas_flux<L>(scene, I, q, axis, {});
     r[0] += out_of_cell(scene, axis, I - e, End::upper, flux);
     r[1] -= out_of_cell(scene, axis, I, End::lower, flux);

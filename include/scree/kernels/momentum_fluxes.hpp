@@ -219,8 +219,7 @@ struct CrossMomentumFlux {
     const auto half = [&](const Index& at) {
       const Condition& condition = scene.condition(across, I + at);
       const auto F = Phase::flux(scene, I, q, across, at);
-      const bool inflow = box_above(scene, across, I) ? F >= 0.0 : F < 0.0;
-      if (!inflow || !Phase::brings(condition.kind)) return Number(0.0);
+      if (!Phase::brings(condition.kind) || !scree::comes_in(scene, across, I, value_of(F))) return Number(0.0);
       return Number(F * (Phase::brought(scene, axis, across, I + at) - own));
     };
     return face_mean(scene, axis, I, half(-1 * a), half({}));

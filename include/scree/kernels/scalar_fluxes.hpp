@@ -7,15 +7,14 @@
 
 namespace scree {
 
-/// The same at a barrier, of the values of the cells about it.
+/// Value of a scalar of the particles that the volume flux `flux` carries through the lower `axis` face of I, an open
+/// side of the box: that of the cell inside, or what the condition brings in.
 template <class Number>
 [[gnu::noinline]] Number carried_through_barrier(const Scene& scene, int axis, const Index& I, const Unknown& unknown,
                                                  double flux, const Number& below, const Number& above) {
   const Condition& condition = scene.condition(axis, I);
-  const bool box_is_above = box_above(scene, axis, I);
-  const bool inflow = box_is_above ? flux >= 0.0 : flux < 0.0;
-  if (inflow && condition.kind.brings_solids()) return Number(condition.brought(unknown));
-  return box_is_above ? above : below;
+  if (condition.kind.brings_solids() && comes_in(scene, axis, I, flux)) return Number(condition.brought(unknown));
+  return box_above(scene, axis, I) ? above : below;
 }
 
 /// Value of a scalar of the particles that the volume flux F carries through the lower `axis` face of I: upstream of

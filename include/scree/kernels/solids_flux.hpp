@@ -61,6 +61,12 @@ template <class Q>
 /// On how many inputs the value that is carried depends.
 constexpr int carried_terms(bool second_order) { return second_order ? 4 : 1; }
 
+/// Whether a flow through the lower `axis` face of I, on a side of the box, comes in. None at all counts as one along
+/// +axis, as for upwind.
+inline bool comes_in(const Scene& scene, int axis, const Index& I, double flow) {
+  return box_above(scene, axis, I) ? flow >= 0 : flow < 0;
+}
+
 /// nu v at the lower `axis` face of I, a barrier: 0 at walls; through sides the upstream value of cell or condition.
 template <class Number>
 [[gnu::noinline]] auto flux_through_barrier(const Scene& scene, int axis, const Index& I, const Number& v,
@@ -68,9 +74,8 @@ template <class Number>
   using Flux = decltype(SolidsContinuity::flux(v, above));
   const Condition& condition = scene.condition(axis, I);
   if (condition.kind.stops_solids()) return Flux(0.0);
-  const bool box_is_above = box_above(scene, axis, I);
-  const bool inflow = box_is_above ? v >= 0.0 : v < 0.0;
-  if (!inflow) return SolidsContinuity::flux(v, box_is_above ? above : below);
+  if (!comes_in(scene, axis, I, value_of(v)))
+    return SolidsContinuity::flux(v, box_above(scene, axis, I) ? above : below);
   return Flux(v * (condition.kind.brings_solids() ? condition.brought(SolidsContinuity::unknown) : 0.0));
 }
 

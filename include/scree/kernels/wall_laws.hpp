@@ -247,7 +247,8 @@ struct WallLaws {
     const double h = scene.distance_to_face(axis, I);
     if constexpr (L::has_g_f)
       if (friction.fluidity.held_at_rough)
-        r[g_f_row] -= out_of_cell(scene, axis, I, end, Fluidity::from_wall(scene, q(L::nu), q(L::g_f), h));
+        r[g_f_row] -=
+            out_of_cell(scene, axis, I, end, Fluidity::from_wall(scene, Number(q(L::nu)), Number(q(L::g_f)), h));
     for (int t = 0; t < L::dim; ++t)
       for (int side = 0; side < 2 && t != axis; ++side) {
         const Number S_S = strain.normal_square() + 0.5 * slip_speed_squared<Number>(q, wall, axis, t, side) / (h * h);
